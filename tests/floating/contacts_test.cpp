@@ -14,7 +14,7 @@ namespace qvgen::test::floating {
 namespace {
 
 using Contacts = ContactSet<double, quad::velocity_size, 24>;
-using Mass = BranchFactorisation<double, quad::velocity_size>;
+using Mass = BranchFactorisation<double, std::decay_t<decltype(quad::mass_matrix_parents)>>;
 
 const reference::NamedFrame& frame_of(const std::string& tip) {
   for (const reference::NamedFrame& frame : reference_chain().frames)

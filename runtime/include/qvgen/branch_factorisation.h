@@ -2,40 +2,37 @@
 // Linear equations with a mass matrix, by branches. Joints that do not carry one another have a zero in it,
 // and eliminating from the tips to the base makes no other entry of them: M = L^T D L, L as sparse as M
 // (Featherstone, "Efficient factorization of the joint-space inertia matrix for branched kinematic trees",
-// 2005).
+// 2005). The branches are a type, so that everything here is straight-line code.
 //
-//     const BranchFactorisation factors(robot::mass_matrix(q), robot::mass_matrix_parents);
+//     const qvgen::BranchFactorisation factors(robot::mass_matrix(q), robot::mass_matrix_parents);
 //     const auto qdd = factors.solve(torque - bias);
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
+#include <utility>
 
 #include <Eigen/Core>
+#include <qvgen/branches.h>
+#include <qvgen/detail/side_by_side.h>
 
 namespace qvgen {
 
-template <class Scalar, int dof>
+template <class Scalar, class RobotBranches>
 class BranchFactorisation {
  public:
-  using Matrix = Eigen::Matrix<Scalar, dof, dof>;
-  using Vector = Eigen::Matrix<Scalar, dof, 1>;
-  /// The row before each row on its branch, a smaller index, or -1.
-  using Parents = std::array<int, static_cast<std::size_t>(dof)>;
+  using Branches = RobotBranches;
+  static constexpr int size = Branches::size;
+  using Matrix = Eigen::Matrix<Scalar, size, size>;
+  using Vector = Eigen::Matrix<Scalar, size, 1>;
 
-  /// Entries of rows that are on no common branch are not read.
-  BranchFactorisation(const Matrix& mass, const Parents& parents) : factors_(mass), parents_(parents) {
-    for (int k = dof - 1; k >= 0; --k)
-      for (int i = parent(k); i >= 0; i = parent(i)) {
-        const Scalar factor = factors_(k, i) / factors_(k, k);
-        for (int j = i; j >= 0; j = parent(j)) factors_(i, j) -= factor * factors_(k, j);
-        factors_(k, i) = factors_(i, k) = factor;
-      }
+  /// Entries of rows that are on no common branch, and those above the diagonal, are not read.
+  explicit BranchFactorisation(const Matrix& mass, Branches = {}) : factors_(mass) {
+    for_each_row(Backwards<Rows>(), [this](auto k) { eliminate<k>(); });
   }
 
   /// True if the matrix is positive definite, as mass matrices are. Else solutions mean nothing.
   [[nodiscard]] bool is_positive() const {
-    for (int k = 0; k < dof; ++k)
+    for (int k = 0; k < size; ++k)
       if (!(factors_(k, k) > Scalar(0))) return false;
     return true;
   }
@@ -43,98 +40,69 @@ class BranchFactorisation {
   /// Returns x with M x = b.
   [[nodiscard]] Vector solve(const Vector& b) const {
     Vector x = b;
-    for (int k = dof - 1; k >= 0; --k)
-      for (int i = parent(k); i >= 0; i = parent(i)) x[i] -= factors_(k, i) * x[k];
-    for (int k = 0; k < dof; ++k) {
-      x[k] /= factors_(k, k);
-      for (int i = parent(k); i >= 0; i = parent(i)) x[k] -= factors_(k, i) * x[i];
-    }
+    for_each_row(Backwards<Rows>(), [&](auto i) { subtract<i>(Backwards<RowsCarriedBy<Branches, i>>(), x); });
+    x = x.cwiseProduct(reciprocals_);
+    for_each_row(Rows(), [&](auto k) { subtract<k>(Carrying<k>(), x); });
     return x;
   }
 
-  /// Solves M x = b for many b: from(k) is the k-th one's first number, to(k) where its x goes. They may be
-  /// the same place.
-  template <class From, class To>
-  void solve_all(int columns, const From& from, const To& to) const {
-    const Below below(*this);
-    Tile x = Tile::Zero();
-    for (int first = 0; first < columns; first += tile) {
-      const int count = columns - first < tile ? columns - first : tile;
-      for (int j = 0; j < count; ++j) {
-        const Scalar* const b = from(first + j);
-        for (int i = 0; i < dof; ++i) x(j, i) = b[i];
-      }
-      solve_in_place(x, dof, below);
-      for (int j = 0; j < count; ++j) {
-        Scalar* const result = to(first + j);
-        for (int i = 0; i < dof; ++i) result[i] = x(j, i);
-      }
-    }
-  }
+  /// Columns of `lanes` numbers, of which those behind the first `size` are zero, fill whole registers.
+  using Registers = detail::RegistersOf<Scalar, size>;
+  static constexpr int lanes = Registers::lanes;
+  using Padded = Eigen::Matrix<Scalar, lanes, size>;
 
-  /// Returns the inverse of M: its upper triangle is computed, which needs no rows below it.
-  [[nodiscard]] Matrix inverse() const {
-    const Below below(*this);
-    Matrix result;
-    for (int first = 0; first < dof; first += tile) {
-      const int end = dof - first < tile ? dof : first + tile;
-      Tile x = Tile::Zero();
-      for (int k = first; k < end; ++k) x(k - first, k) = Scalar(1);
-      solve_in_place(x, end, below);
-      for (int k = first; k < end; ++k)
-        for (int i = 0; i <= k; ++i) result(i, k) = result(k, i) = x(k - first, i);
-    }
-    return result;
+  /// Returns the inverse of M, symmetric but for rounding.
+  [[nodiscard]] Padded padded_inverse() const {
+    Padded x = Padded::Zero();
+    x.diagonal().setOnes();
+    for_each_row(Backwards<Rows>(),
+                 [&](auto i) { subtract<i>(Backwards<RowsCarriedBy<Branches, i>>(), x, Scalar(1)); });
+    for_each_row(Rows(), [&](auto k) { subtract<k>(Carrying<k>(), x, reciprocals_[k]); });
+    return x;
   }
+  [[nodiscard]] Matrix inverse() const { return padded_inverse().template topRows<size>(); }
 
  private:
-  /// Right-hand sides that are solved side by side: row k of them stands in column k.
-  static constexpr int tile = dof < 9 ? 8 : 12;
-  using Tile = Eigen::Matrix<Scalar, tile, dof>;
-  using Row = Eigen::Matrix<Scalar, tile, 1>;
+  using Rows = std::make_integer_sequence<int, size>;
+  template <int k>
+  using Carrying = RowsCarrying<Branches, k>;
+  template <int k>
+  using RowsUpTo = RowsCarrying<Branches, k, k + 1>;
 
-  /// The rows that each row carries, from the nearest number on: first[k] up to first[k + 1].
-  struct Below {
-    explicit Below(const BranchFactorisation& factors) {
-      for (int k = 0; k < dof; ++k)
-        for (int i = factors.parent(k); i >= 0; i = factors.parent(i)) ++first[i + 1];
-      for (int k = 0; k < dof; ++k) first[k + 1] += first[k];
-      int place[dof];
-      for (int k = 0; k < dof; ++k) place[k] = first[k];
-      for (int k = 0; k < dof; ++k)
-        for (int i = factors.parent(k); i >= 0; i = factors.parent(i)) rows[place[i]++] = k;
-    }
-    int first[dof + 1] = {};
-    int rows[dof * (dof - 1) / 2 + 1];
-  };
-
-  /// `count`: rows from the first on, further ones being zero and not wanted.
-  void solve_in_place(Tile& x, int count, const Below& below) const {
-    for (int i = count - 1; i >= 0; --i) {
-      Row sum = x.col(i);
-      const Scalar* const factor = factors_.data() + i * dof;
-      const int* const end = below.rows + below.first[i + 1];
-      for (const int* k = below.rows + below.first[i]; k != end && *k < count; ++k)
-        sum -= factor[*k] * x.col(*k);
-      x.col(i) = sum;
-    }
-    for (int k = 0; k < count; ++k) {
-      const Scalar* const factor = factors_.data() + k * dof;
-      Row sum = x.col(k) / factor[k];
-      for (int i = parent(k); i >= 0; i = parent(i)) sum -= factor[i] * x.col(i);
-      x.col(k) = sum;
-    }
+  template <int k>
+  void eliminate() {
+    reciprocals_[k] = Scalar(1) / factors_(k, k);
+    for_each_row(Backwards<Carrying<k>>(), [&](auto i) { eliminate<k, i>(RowsUpTo<i>()); });
+  }
+  template <int k, int i, int... j>
+  void eliminate(std::integer_sequence<int, j...>) {
+    const Scalar factor = factors_(k, i) * reciprocals_[k];
+    ((factors_(i, j) -= factor * factors_(k, j)), ...);
+    factors_(k, i) = factor;
   }
 
-  [[nodiscard]] int parent(int k) const { return parents_[static_cast<std::size_t>(k)]; }
+  template <int one, int other>
+  static constexpr int place = std::min(one, other) * size + std::max(one, other);
 
-  Matrix factors_;  ///< below the diagonal L, on it D, above it the transpose of L
-  Parents parents_;
+  template <int row, int... other>
+  void subtract(std::integer_sequence<int, other...>, Vector& x) const {
+    ((x[row] -= factors_.data()[place<row, other>] * x[other]), ...);
+  }
+  /// Column k of `x`: row k of right-hand sides, which becomes that of the solutions.
+  template <int row, int... other>
+  void subtract(std::integer_sequence<int, other...>, Padded& x, const Scalar& scale) const {
+    Registers sum(x.data() + row * lanes);
+    sum.scale(scale);
+    (sum.subtract(factors_.data()[place<row, other>], x.data() + other * lanes), ...);
+    sum.store(x.data() + row * lanes);
+  }
+
+  Matrix factors_;  ///< below the diagonal L, on it D
+  Vector reciprocals_;
 };
 
-template <class Scalar, int dof>
-BranchFactorisation(const Eigen::Matrix<Scalar, dof, dof>&,
-                    const std::array<int, static_cast<std::size_t>(dof)>&)
-    -> BranchFactorisation<Scalar, dof>;
+template <class Scalar, int... parents>
+BranchFactorisation(const Eigen::Matrix<Scalar, int(sizeof...(parents)), int(sizeof...(parents))>&,
+                    Branches<parents...>) -> BranchFactorisation<Scalar, Branches<parents...>>;
 
 }  // namespace qvgen

@@ -51,7 +51,6 @@ class ContactSet {
   using Vector = Eigen::Matrix<Scalar, size, 1>;
   using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, most_rows, 1>;
   using Square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, 0, most_rows, most_rows>;
-  using Mass = BranchFactorisation<Scalar, size>;
   using Result = ContactResult<Scalar, size, most_rows>;
 
   /// Adds a contact, whose tip accelerates as said: not at all. False, and nothing is added, without room.
@@ -74,14 +73,16 @@ class ContactSet {
   /// Returns what the contacts' accelerations lack at qdd = 0: (dJ/dt) qd less the wanted ones.
   [[nodiscard]] Rows bias() const { return -wanted_.head(rows_); }
 
-  /// Returns accelerations and forces. `mass`: factors of the mass matrix; `force`: torque less what
-  /// velocities and gravity take, N or N m.
+  /// Returns accelerations and forces. `mass`: BranchFactorisation of the mass matrix; `force`: torque less
+  /// what velocities and gravity take, N or N m.
+  template <class Mass>
   [[nodiscard]] Result forward_dynamics(const Mass& mass, const Vector& force) const {
     const Vector free = mass.solve(force);
     return solved(mass, free, wanted_.head(rows_) - transposed_.leftCols(rows_).transpose() * free);
   }
 
   /// Returns velocities behind an impact, and impulses. `restitution`: 0 the tips stay, 1 they bounce back.
+  template <class Mass>
   [[nodiscard]] Result impact(const Mass& mass, const Vector& qd, Scalar restitution = Scalar(0)) const {
     const Rows meeting = transposed_.leftCols(rows_).transpose() * qd;
     return solved(mass, qd, -(Scalar(1) + restitution) * meeting);
@@ -89,6 +90,7 @@ class ContactSet {
 
   /// Returns the inertia that the contacts feel, (J M^-1 J^T)^-1, rows x rows, symmetric; one of its
   /// generalised inverses where rows are dependent, which `rank` tells.
+  template <class Mass>
   [[nodiscard]] Square operational_space_inertia(const Mass& mass, int* rank = nullptr) const {
     const System system(*this, mass);
     if (rank != nullptr) *rank = system.rank();
@@ -101,6 +103,7 @@ class ContactSet {
    public:
     using Columns = Eigen::Matrix<Scalar, size, Eigen::Dynamic, 0, size, most_rows>;
 
+    template <class Mass>
     System(const ContactSet& set, const Mass& mass) : solved_(size, set.rows_), scale_(set.rows_) {
       for (int i = 0; i < set.rows_; ++i) solved_.col(i) = mass.solve(set.transposed_.col(i));
       matrix_ = set.transposed_.leftCols(set.rows_).transpose() * solved_;
@@ -153,6 +156,7 @@ class ContactSet {
     Eigen::ColPivHouseholderQR<Square> decomposition_;
   };
 
+  template <class Mass>
   [[nodiscard]] Result solved(const Mass& mass, const Vector& before, const Rows& right) const {
     Result result;
     result.forces = Rows::Zero(rows_);

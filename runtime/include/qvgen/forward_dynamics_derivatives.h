@@ -4,9 +4,11 @@
 // is a step on the manifold (floating_base.h).
 //
 //     const qvgen::BranchFactorisation mass(robot::mass_matrix(at), robot::mass_matrix_parents);
-//     const auto qdd = robot::forward_dynamics(at, qd, torque);
-//     const auto d = qvgen::forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(at, qd,
-//     qdd));
+//     const auto qdd = mass.solve(torque - bias);                        // or robot::forward_dynamics
+//     const auto forces = robot::inverse_dynamics_derivatives(at, qd, qdd);
+//     const auto d = qvgen::forward_dynamics_derivatives(mass, forces);
+//
+// An arm, whose joints carry one another, has qvgen::Chain<dof>() for parents.
 #pragma once
 
 #include <qvgen/branch_factorisation.h>
@@ -20,15 +22,37 @@ struct ForwardDynamicsDerivatives {
   Matrix by_position, by_rate, by_torque;
 };
 
+namespace detail {
+
+/// Stores -M^-1 F for one column of F, whose numbers in rows other than `row` are zero.
+template <class Mass, class Scalar, int... row>
+void accelerations(const typename Mass::Padded& inverse, const Scalar* forces,
+                   std::integer_sequence<int, row...>, Scalar* to) {
+  typename Mass::Registers sum;
+  (sum.subtract(forces[row], inverse.data() + row * Mass::lanes), ...);
+  sum.template store_first<Mass::size>(to);
+}
+
+}  // namespace detail
+
 /// `of_forces`: inverse_dynamics_derivatives of the robot, at the accelerations of forward_dynamics.
-template <class Scalar, int size, class InverseDynamicsDerivatives>
-ForwardDynamicsDerivatives<Scalar, size> forward_dynamics_derivatives(
-    const BranchFactorisation<Scalar, size>& mass, const InverseDynamicsDerivatives& of_forces) {
-  ForwardDynamicsDerivatives<Scalar, size> result{-of_forces.by_position, -of_forces.by_rate, mass.inverse()};
-  const auto column = [&](int k) {
-    return k < size ? result.by_position.data() + k * size : result.by_rate.data() + (k - size) * size;
-  };
-  mass.solve_all(2 * size, column, column);
+template <class Scalar, class Branches, class InverseDynamicsDerivatives>
+ForwardDynamicsDerivatives<Scalar, Branches::size> forward_dynamics_derivatives(
+    const BranchFactorisation<Scalar, Branches>& mass, const InverseDynamicsDerivatives& of_forces) {
+  constexpr int size = Branches::size;
+  using Mass = BranchFactorisation<Scalar, Branches>;
+  ForwardDynamicsDerivatives<Scalar, size> result;
+  const auto inverse = mass.padded_inverse();
+  result.by_torque = inverse.template topRows<size>();
+  for_each_row(std::make_integer_sequence<int, size>(), [&](auto k) {
+    constexpr int column = k;
+    const auto rows = RowsOnABranchWith<Branches, column>();
+    const auto solve = [&](const auto& from, auto& to) {
+      detail::accelerations<Mass>(inverse, from.data() + column * size, rows, to.data() + column * size);
+    };
+    solve(of_forces.by_position, result.by_position);
+    solve(of_forces.by_rate, result.by_rate);
+  });
   return result;
 }
 

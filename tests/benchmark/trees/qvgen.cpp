@@ -20,11 +20,7 @@ constexpr auto parents = robot::mass_matrix_parents;
 #else
 constexpr int size = robot::dof;
 using At = robot::JointVector<double>;
-constexpr auto parents = [] {
-  std::array<int, size> result{};
-  for (std::size_t k = 0; k < size; ++k) result[k] = static_cast<int>(k) - 1;
-  return result;
-}();
+constexpr Chain<size> parents{};
 #endif
 using Vector = Eigen::Matrix<double, size, 1>;
 using Matrix = Eigen::Matrix<double, size, size>;
@@ -89,8 +85,8 @@ void inverse_derivatives(std::size_t k, double* result) {
 }
 void forward_derivatives(std::size_t k, double* result) {
   const Motion& m = motions[k];
-  const Vector qdd = robot::forward_dynamics(m.at, m.qd, m.qdd);
   const BranchFactorisation mass(robot::mass_matrix(m.at), parents);
+  const Vector qdd = mass.solve(m.qdd - robot::inverse_dynamics(m.at, m.qd, Vector::Zero().eval()));
   const auto found = forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(m.at, m.qd, qdd));
   store(found.by_position, result);
   store(found.by_rate, result, 1);

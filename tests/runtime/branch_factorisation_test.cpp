@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Linear equations by branches, and derivatives of accelerations, against the dense matrix: trees of several
+// shapes and sizes, in every scalar.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <qvgen/forward_dynamics_derivatives.h>
+
+namespace qvgen {
+namespace {
+
+/// Rows 0 to 5 carry four legs of three.
+using Quadruped = Branches<-1, 0, 1, 2, 3, 4, 5, 6, 7, 5, 9, 10, 5, 12, 13, 5, 15, 16>;
+using Fork = Branches<-1, 0, 1, 1, 3, 0, 5>;
+using TwoArms = Branches<-1, 0, 1, -1, 3>;
+
+template <class Scalar, class Tree>
+struct RandomTree {
+  using Mass = BranchFactorisation<Scalar, Tree>;
+  using Matrix = typename Mass::Matrix;
+  using Vector = typename Mass::Vector;
+  static constexpr Scalar close = 2000 * std::numeric_limits<Scalar>::epsilon();
+
+  /// Random numbers where rows are on a common branch.
+  static Matrix on_branches() {
+    Matrix m = Matrix::Random();
+    for (int i = 0; i < Mass::size; ++i)
+      for (int k = 0; k < Mass::size; ++k)
+        if (!Tree::carries(std::min(i, k), std::max(i, k))) m(i, k) = 0;
+    return m;
+  }
+  static Matrix mass() {
+    const Matrix m = on_branches();
+    return m + m.transpose() + 2 * Mass::size * Matrix::Identity();
+  }
+};
+
+/// Calls f with one robot of each kind, often.
+template <class F>
+void for_random_trees(const F& f) {
+  for (int k = 0; k < 20; ++k) {
+    f(RandomTree<double, Quadruped>());
+    f(RandomTree<float, Quadruped>());
+    f(RandomTree<long double, Fork>());
+    f(RandomTree<double, Fork>());
+    f(RandomTree<float, TwoArms>());
+    f(RandomTree<double, Chain<1>>());
+    f(RandomTree<double, Chain<7>>());
+    f(RandomTree<double, Chain<8>>());
+  }
+}
+
+TEST(BranchFactorisation, SolvesAsTheDenseMatrixDoes) {
+  for_random_trees([](auto tree) {
+    using Tree = decltype(tree);
+    const auto matrix = Tree::mass();
+    const typename Tree::Mass mass(matrix);
+    EXPECT_TRUE(mass.is_positive());
+    const typename Tree::Vector b = Tree::Vector::Random();
+    EXPECT_LE((matrix * mass.solve(b) - b).norm(), Tree::close);
+    EXPECT_TRUE((matrix * mass.inverse()).isIdentity(Tree::close));
+  });
+}
+
+TEST(BranchFactorisation, GivesDerivativesOfAccelerations) {
+  for_random_trees([](auto tree) {
+    using Tree = decltype(tree);
+    struct {
+      typename Tree::Matrix by_position, by_rate;
+    } const forces{Tree::on_branches(), Tree::on_branches()};
+    const auto matrix = Tree::mass();
+    const auto found = forward_dynamics_derivatives(typename Tree::Mass(matrix), forces);
+    EXPECT_LE((matrix * found.by_position + forces.by_position).norm(), Tree::close);
+    EXPECT_LE((matrix * found.by_rate + forces.by_rate).norm(), Tree::close);
+    EXPECT_TRUE((matrix * found.by_torque).isIdentity(Tree::close));
+  });
+}
+
+TEST(BranchFactorisation, SeesThatAMatrixIsNotPositive) {
+  for_random_trees([](auto tree) {
+    using Tree = decltype(tree);
+    auto matrix = Tree::mass();
+    matrix(0, 0) *= -1;
+    EXPECT_FALSE(typename Tree::Mass(matrix).is_positive());
+    matrix(0, 0) = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(typename Tree::Mass(matrix).is_positive());
+  });
+}
+
+template <int... rows>
+using Sequence = std::integer_sequence<int, rows...>;
+static_assert(std::is_same_v<RowsCarriedBy<Fork, 1>, Sequence<2, 3, 4>>);
+static_assert(std::is_same_v<RowsCarrying<Fork, 4>, Sequence<0, 1, 3>>);
+static_assert(std::is_same_v<RowsOnABranchWith<Fork, 3>, Sequence<0, 1, 3, 4>>);
+static_assert(std::is_same_v<Backwards<RowsCarrying<Fork, 4>>, Sequence<3, 1, 0>>);
+static_assert(std::is_same_v<Chain<3>, Branches<-1, 0, 1>>);
+
+}  // namespace
+}  // namespace qvgen
