@@ -50,6 +50,21 @@ def desk_arm():
     return qvgen.load(pathlib.Path(__file__).with_name("desk_arm.toml"), "--only", "kinematics,inverse")
 
 
+MOTOR_ARMS = pathlib.Path(__file__).resolve().parents[1] / "motors"
+
+
+@pytest.fixture(scope="session")
+def bevel_arm():
+    """Six joints, three of which follow motors."""
+    return qvgen.load(MOTOR_ARMS / "bevel_arm.toml", "--only", "kinematics,inverse")
+
+
+@pytest.fixture(scope="session")
+def gantry():
+    """Nine joints, three of which are given."""
+    return qvgen.load(MOTOR_ARMS / "gantry.toml", "--only", "kinematics,inverse")
+
+
 @pytest.fixture(scope="session")
 def crx10ia():
     """Six joints, solved by elimination."""

@@ -290,6 +290,34 @@ def test_with_a_joint_given(planar, rows):
         planar.inverse_kinematics_given_theta3(poses, [1, 2, 3])
 
 
+def test_in_motors(bevel_arm, rows):
+    q = rows(bevel_arm)
+    poses = bevel_arm.forward_kinematics(q)
+    found = bevel_arm.inverse_kinematics(poses, q)
+    assert solved(found)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-8)
+    near = bevel_arm.inverse_kinematics_near(poses, q + 0.01)
+    np.testing.assert_allclose(near.q, q, atol=1e-8)
+    # Turns of joints move two motors: their representatives stand whole turns of the tilt and the roll apart.
+    lower, upper = q[0] - 13, q[0] + 13
+    turns = bevel_arm.inverse_kinematics(poses[0], limits=(lower, upper))
+    assert turns.count > 1000 and ((turns.q >= lower) & (turns.q <= upper)).all()
+    reached = bevel_arm.forward_kinematics(turns.q)
+    np.testing.assert_allclose(np.abs(reached[:, :4] @ poses[0, :4]), 1, atol=1e-9)
+    np.testing.assert_allclose(reached[:, 4:], np.tile(poses[0, 4:], (turns.count, 1)), atol=1e-9)
+    assert len(np.unique(turns.q.round(6), axis=0)) == turns.count
+
+
+def test_with_several_joints_given(gantry, rows):
+    q = rows(gantry)
+    poses = gantry.forward_kinematics(q)
+    found = gantry.inverse_kinematics_given_gx_gz_flange(poses, q[:, [0, 1, 8]], q)
+    assert solved(found)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-8)
+    near = gantry.inverse_kinematics_near_given_gx_gz_flange(poses, q[:, [0, 1, 8]], q + 0.01)
+    np.testing.assert_allclose(near.q, q, atol=1e-8)
+
+
 def test_nearest_pose(scara, rows):
     q = rows(scara)
     poses = scara.forward_kinematics(q)

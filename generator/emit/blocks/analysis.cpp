@@ -2,6 +2,7 @@
 #include "emit/blocks/analysis.h"
 
 #include <algorithm>
+#include <array>
 
 namespace qvgen::emit::blocks {
 
@@ -75,6 +76,18 @@ void learn(const Expression& e, const std::string& name,
   }
 }
 
+/// How many joints a function is about: the robot's, or, of a module's own functions, those that the module
+/// counts, without outer joints.
+int joints_of(const Unit& unit, const Function& function) {
+  const Constant* joints = unit.constant(unit.robot + "_dof");
+  const std::array<std::string, 2> names{"dof", "dof_of_" + function.module};
+  for (const std::string& name : names) {
+    const Constant* own = unit.constant(name);
+    if (!function.is_public && own != nullptr && own->module == function.module) joints = own;
+  }
+  return joints != nullptr ? std::stoi(joints->value[0].text) : 0;
+}
+
 bool gives_null(const Expression& e) {
   return e.kind == Kind::null ||
          (e.kind == Kind::conditional && (gives_null(e.operands[1]) || gives_null(e.operands[2])));
@@ -83,8 +96,6 @@ bool gives_null(const Expression& e) {
 }  // namespace
 
 Shapes::Shapes(const Unit& unit) {
-  const Constant* joints = unit.constant(unit.robot + "_dof");
-  const int dof = joints != nullptr ? std::stoi(joints->value[0].text) : 0;
   for (const Function& function : unit.functions) {
     std::vector<Shape>& own = shapes_[function.name];
     for (const Field& parameter : function.parameters) {
@@ -116,7 +127,8 @@ Shapes::Shapes(const Unit& unit) {
     }
   for (const Function& function : unit.functions)
     for (Shape& shape : shapes_[function.name])
-      if ((function.is_public || shape.optional) && shape.many && shape.size == 0) shape.size = dof;
+      if ((function.is_public || shape.optional) && shape.many && shape.size == 0)
+        shape.size = joints_of(unit, function);
 }
 
 std::set<std::string> changed_names(const Unit& unit, const Shapes& shapes, const Function& function) {

@@ -23,7 +23,8 @@ struct Shape {
 
 class Shapes {
  public:
-  /// Arrays that say no size and may be NULL, or are a public function's, have an entry for each joint.
+  /// Arrays that say no size and may be NULL, or are a public function's, have an entry for each joint; those
+  /// of a module's own functions for each joint that the module counts.
   explicit Shapes(const Unit& unit);
   [[nodiscard]] const std::vector<Shape>& of(const std::string& function) const {
     return shapes_.at(function);

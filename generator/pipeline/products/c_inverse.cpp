@@ -46,10 +46,9 @@ void leave_out(const std::string& reason, RobotOutput& output) {
 void add_c_inverse(const model::Robot& robot, RobotOutput& output) {
   const ordered_json targets = output.counts.value("targets", ordered_json::object());
   if (targets.empty()) return leave_out("there is no inverse kinematics", output);
-  constexpr std::size_t most_in_c99 = 7;  // beyond, several joints are given
   // Only closed forms are counted.
   for (const auto& [function, taken] : targets.items())
-    if (output.counts.contains(function) && robot.motors.empty() && robot.joints.size() <= most_in_c99)
+    if (output.counts.contains(function))
       return leave_out("it is a closed form, which --language c writes in C99", output);
   const json values{{"name", robot.name},
                     {"dof", robot.joints.size()},

@@ -21,12 +21,12 @@
 #include "emit/render.h"
 #include "emit/template_values.h"
 #include "model/evaluate.h"
-#include "model/followers.h"
 #include "model/tasks.h"
 #include "pipeline/c_files.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_elimination.h"
+#include "pipeline/products/inverse_in_c.h"
 #include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
@@ -238,7 +238,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   if (!derivation.found()) return add_reasons(derivation, output);
   json values = values_of(derivation.arm, derivation, Language::cxx, output);
   add_motors(described, values);
-  add_outer_joints(described, derivation.outer, values);
+  add_outer_joints(described, derivation.outer, emit::cpp(), values);
   take_outer_names(values, output.counts);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});
@@ -251,19 +251,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
 }
 
 void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
-  if (model::has_followers(described) && obstacle_of_motors(described).empty()) {
-    output.missing.push_back({"inverse", Missing::Kind::not_in_language,
-                              "joints follow motors: it is written in C++, and --only c_inverse, without "
-                              "--language, makes a C header for that"});
-    return;
-  }
   const InverseDerivation derivation = derive_inverse(described);
-  if (derivation.outer && derivation.found()) {
-    output.missing.push_back({"inverse", Missing::Kind::not_in_language,
-                              "several joints are given: it is written in C++, and --only c_inverse, without "
-                              "--language, makes a C header for that"});
-    return;
-  }
   if (!derivation.eliminations.empty()) {
     output.missing.push_back(
         {"inverse", Missing::Kind::not_in_language,
@@ -272,9 +260,10 @@ void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
     return;
   }
   if (!derivation.found()) return add_reasons(derivation, output);
-  const emit::c::Part text =
-      emit::c::inverse_kinematics(described, values_of(described, derivation, Language::c, output));
-  add_c_files(output, "inverse", text);
+  json values = values_of(derivation.arm, derivation, Language::c, output);
+  add_public_functions_in_c(described, derivation.outer, values);
+  take_outer_names(values, output.counts);
+  add_c_files(output, "inverse", emit::c::inverse_kinematics(described, derivation.arm, values));
   add_c_files(output, "metrics", emit::c::metrics(described));
 }
 

@@ -38,21 +38,30 @@ std::vector<Row> matrix_of(const model::Robot& robot) {
   return rows;
 }
 
-std::string bound(const std::optional<model::Limits>& limits, bool is_lower, const model::Robot& robot) {
+/// Names of constants in a language.
+struct Words {
+  std::string unlimited, whole_turn;
+};
+
+const Words in_cxx{"unlimited", "inverse::whole_turn"}, in_c{"HUGE_VAL", "6.283185307179586476925"};
+
+std::string bound(const std::optional<model::Limits>& limits, bool is_lower, const model::Robot& robot,
+                  const Words& words) {
   const std::string sign = is_lower ? "-" : "";
-  if (!limits) return sign + "unlimited";
+  if (!limits) return sign + words.unlimited;
   const model::Expression& expression = is_lower ? limits->lower : limits->upper;
   return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
 }
 
-json joints_of(const model::Robot& robot, const std::vector<Row>& rows) {
+json joints_of(const model::Robot& robot, const std::vector<Row>& rows, const Words& words) {
   json list = json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const model::Joint& joint = robot.joints[i];
-    list.push_back({{"variable", joint.variable},
+    list.push_back({{"place", i},
+                    {"variable", joint.variable},
                     {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
-                    {"lower", bound(joint.limits, true, robot)},
-                    {"upper", bound(joint.limits, false, robot)},
+                    {"lower", bound(joint.limits, true, robot, words)},
+                    {"upper", bound(joint.limits, false, robot, words)},
                     {"of_motors", sum_text(rows[i])},
                     {"last", i + 1 == rows.size()}});
   }
@@ -62,31 +71,33 @@ json joints_of(const model::Robot& robot, const std::vector<Row>& rows) {
 json motors_of(const std::vector<Row>& inverse) {
   json list = json::array();
   for (const Row& row : inverse)
-    list.push_back({{"of_joints", sum_text(row)}, {"last", &row == &inverse.back()}});
+    list.push_back({{"place", list.size()}, {"of_joints", sum_text(row)}, {"last", &row == &inverse.back()}});
   return list;
 }
 
 /// Values with limits, in the order in which they are searched.
-json values_of(const model::Robot& robot, const std::vector<Row>& rows, const model::MotorTurns& turns) {
+json values_of(const model::Robot& robot, const std::vector<Row>& rows, const model::MotorTurns& turns,
+               const Words& words) {
   json list = json::array();
   for (const model::LimitedValue& value : turns.values) {
     const auto own = value.is_motor ? std::nullopt : robot.joints[value.index].limits;
     const std::string index = std::to_string(value.index);
-    list.push_back({{"of_motors", value.is_motor ? "of[" + index + "]" : sum_text(rows[value.index])},
+    list.push_back({{"place", list.size()},
+                    {"of_motors", value.is_motor ? "of[" + index + "]" : sum_text(rows[value.index])},
                     {"motor", value.is_motor ? index : "-1"},
-                    {"own_lower", bound(own, true, robot)},
-                    {"own_upper", bound(own, false, robot)},
+                    {"own_lower", bound(own, true, robot, words)},
+                    {"own_upper", bound(own, false, robot, words)},
                     {"last", &value == &turns.values.back()}});
   }
   return list;
 }
 
-json turns_of(const model::MotorTurns& turns) {
+json turns_of(const model::MotorTurns& turns, const Words& words) {
   json list = json::array();
   for (const model::MotorTurn& turn : turns.turns) {
     json motion = json::array();
     for (const cln::cl_RA& part : turn.motion)
-      motion.push_back({{"value", cln::zerop(part) ? "0" : number(part) + " * inverse::whole_turn"},
+      motion.push_back({{"value", cln::zerop(part) ? "0" : number(part) + " * " + words.whole_turn},
                         {"last", &part == &turn.motion.back()}});
     list.push_back({{"pivot", turn.pivot},
                     {"ends_block", turn.ends_block ? "true" : "false"},
@@ -110,6 +121,23 @@ bool has_joint_limits(const model::Robot& robot) {
   });
 }
 
+json relation(const model::Robot& described, const Words& words) {
+  const std::vector<Row> inverse = *model::inverse_shares(described);
+  const std::vector<Row> matrix = matrix_of(described);
+  const model::MotorTurns turns = model::motor_turns(described, inverse);
+  const std::size_t values = turns.values.size(), count = turns.turns.size();
+  return {{"relations", relations_of(described)},
+          {"of_joints", joints_of(described, matrix, words)},
+          {"of_motors", motors_of(inverse)},
+          {"values", values_of(described, matrix, turns, words)},
+          {"value_count", values},
+          {"turns", turns_of(turns, words)},
+          {"turn_count", count},
+          {"level_count", count + 1},
+          {"motion_count", count * values + 1},
+          {"has_joint_limits", has_joint_limits(described)}};
+}
+
 /// The place of a given joint among the motors; it is one itself.
 int motor_of(const model::Robot& robot, int joint) {
   if (joint < 0) return joint;
@@ -130,17 +158,12 @@ void add_motors(const model::Robot& described, json& values) {
   values["robot_space"] = described.name;
   values["scope"] = "";  // of calls in that namespace
   if (!model::has_followers(described)) return;
-  const std::vector<Row> inverse = *model::inverse_shares(described);
-  const std::vector<Row> matrix = matrix_of(described);
-  const model::MotorTurns turns = model::motor_turns(described, inverse);
   values["robot_space"] = described.name + "::joints";
   values["scope"] = "joints::";
-  values["motors"] = {
-      {"relations", relations_of(described)}, {"of_joints", joints_of(described, matrix)},
-      {"of_motors", motors_of(inverse)},      {"values", values_of(described, matrix, turns)},
-      {"value_count", turns.values.size()},   {"turns", turns_of(turns)},
-      {"turn_count", turns.turns.size()},     {"has_joint_limits", has_joint_limits(described)}};
+  values["motors"] = relation(described, in_cxx);
   for (json& variant : values["variants"]) variant["given_motor"] = motor_of(described, variant["given"]);
 }
+
+json relation_in_c(const model::Robot& described) { return relation(described, in_c); }
 
 }  // namespace qvgen::pipeline

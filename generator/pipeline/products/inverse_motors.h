@@ -13,7 +13,10 @@ namespace qvgen::pipeline {
 std::string obstacle_of_motors(const model::Robot& described);
 
 /// Adds the namespace of what is derived in joints, and the relation of joints and motors (false without
-/// followers), to the values of the templates of inverse kinematics.
+/// followers), to the values of the templates of inverse kinematics in C++.
 void add_motors(const model::Robot& described, nlohmann::json& values);
+
+/// Returns that relation for the templates of C. It has an inverse.
+nlohmann::json relation_in_c(const model::Robot& described);
 
 }  // namespace qvgen::pipeline

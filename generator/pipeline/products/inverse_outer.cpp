@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "emit/cpp/printer.h"
 #include "emit/inverse/arm.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
@@ -152,11 +151,12 @@ std::string reason_against_giving(const model::Robot& robot) {
   return "of the " + count + " given joints all but one have to be the first or the last of the arm";
 }
 
-void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer, json& values) {
+void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer,
+                      const emit::ast::Printer& language, json& values) {
   values["outer"] = false;
   if (!outer) return;
   values["robot_space"] = described.name + "::inner";
-  values["outer"] = {{"arm", emit::arm_values(described, emit::cpp())},
+  values["outer"] = {{"arm", emit::arm_values(described, language)},
                      {"first", outer->first},
                      {"inner_dof", outer->inner.joints.size()},
                      {"of_inner", joints_of(outer->inner)}};

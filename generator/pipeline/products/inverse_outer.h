@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emit/ast/printer.h"
 #include "model/robot.h"
 
 namespace qvgen::pipeline {
@@ -29,9 +30,9 @@ std::vector<OuterJoints> ways_to_give(const model::Robot& robot);
 std::string reason_against_giving(const model::Robot& robot);
 
 /// Adds the outer joints (false without) and the names of functions to the values of templates of inverse
-/// kinematics of the inner arm.
+/// kinematics of the inner arm, in one of the languages.
 void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer,
-                      nlohmann::json& values);
+                      const emit::ast::Printer& language, nlohmann::json& values);
 
 /// Puts the functions of the whole arm in place of the inner arm's in the counts.
 void take_outer_names(const nlohmann::json& values, nlohmann::ordered_json& counts);

@@ -62,11 +62,8 @@ static double representatives(const qvgen_call* c, ptrdiff_t k, const {robot}_so
     double turns = 1;
     if (c->capacity > 0) {{
       put(c, k * c->capacity + (ptrdiff_t)count, &all.row);
-    }} else {{  /* the whole row at once: each joint goes to its last turn */
-      for (int i = 0; i < {dof}; ++i) {{
-        all.number[i] = all.below[i] + all.above[i];
-        turns *= all.number[i] + 1;
-      }}
+    }} else {{
+      {counting}
     }}
     count += turns;
   }}
@@ -105,6 +102,14 @@ static ptrdiff_t near_rows(const qvgen_call* c, int seed_at, solver solve) {{
   return 0;
 }}
 """
+
+# The whole row at once: each joint goes to its last turn.
+TURNS_OF_JOINTS = """for (int i = 0; i < {dof}; ++i) {{
+        all.number[i] = all.below[i] + all.above[i];
+        turns *= all.number[i] + 1;
+      }}"""
+# Turns move several motors: one after the other. What has more is not counted to its end, and has no room anyway.
+TURNS_OF_MOTORS = "if (count >= 1e7) return 1e19;"
 
 SOLVER = """static void solve_{label}(const qvgen_call* c, ptrdiff_t k, const double* seed, {robot}_solutions* found) {{
   const double* t = row(c, 0, k);
@@ -175,6 +180,7 @@ def c_rows(header, includes, targets, number):
     if "total_mass" in header.functions:
         text += PLAIN.format(name="total_mass", call=f"*(number*)result(c, 0, k, 1) = {robot}_total_mass(c->geometry, c->inertia)")
     if number == "double" and targets:
-        text += SOLUTIONS.format(robot=robot, dof=dof)
+        counting = TURNS_OF_MOTORS if header.turns_move_motors else TURNS_OF_JOINTS.format(dof=dof)
+        text += SOLUTIONS.format(robot=robot, dof=dof, counting=counting)
         text += "".join(_solver(header, name, task) for name, taken in targets.items() for task in taken)
     return text

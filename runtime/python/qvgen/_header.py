@@ -25,6 +25,7 @@ class Header:
                              re.findall(rf"{own}_count_of_(link|frame)s = (\d+)", text)})
         self.is_floating = "double base[7]" in text or "float base[7]" in text
         self.numbers["velocity_size"] = self.numbers["dof"] + (6 if self.is_floating else 0)
+        self.turns_move_motors = f"typedef struct {robot}_turns " in text
         self._structs = dict(re.findall(rf"typedef struct {own}_(\w+) \{{(.*?)\}}", text, flags=re.S))
 
     def constants(self, struct):

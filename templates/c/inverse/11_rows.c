@@ -162,9 +162,9 @@ static void sort_rows(Solution* rows, int count, double* squares) {
 }
 
 /// Sum of squares, in the order in which C++ adds them.
-static double sum_of_squares(const double* numbers) {
+static double sum_of_squares(const double* numbers, int count) {
   double sums[4] = {0, 0, 0, 0};
-  for (int i = 0; i < dof; ++i) sums[i % 4] += numbers[i] * numbers[i];
+  for (int i = 0; i < count; ++i) sums[i % 4] += numbers[i] * numbers[i];
   return (sums[0] + sums[2]) + (sums[1] + sums[3]);
 }
 
@@ -177,7 +177,7 @@ static void sort_by_distance(Solutions* found, const double* seed) {
       const double way = seed[i] - found->rows[k].q[i];
       off[i] = is_revolute[i] ? without_turns(way) : way;
     }
-    squares[k] = sum_of_squares(off);
+    squares[k] = sum_of_squares(off, dof);
   }
   sort_rows(found->rows, found->count, squares);
 }
@@ -211,8 +211,8 @@ static bool representative(bool revolute, double seed, double lower, double uppe
 }
 
 static bool row_within_limits(const double* seed, const double* lower, const double* upper, double* q) {
-  for (int i = 0; i < dof; ++i)
-    if (!representative(is_revolute[i], seed[i], lower[i], upper[i], &q[i])) return false;
+  for (int i = 0; i < whole_dof; ++i)
+    if (!representative(whole_is_revolute[i], seed[i], lower[i], upper[i], &q[i])) return false;
   return true;
 }
 
@@ -225,9 +225,9 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
   for (int k = 0; k < found->count; ++k) {
     Solution row = found->rows[k];
     if (!row_within_limits(seed, lower, upper, row.q)) continue;
-    double off[dof];
-    for (int i = 0; i < dof; ++i) off[i] = row.q[i] - seed[i];
-    squares[kept] = sum_of_squares(off);
+    double off[whole_dof];
+    for (int i = 0; i < whole_dof; ++i) off[i] = row.q[i] - seed[i];
+    squares[kept] = sum_of_squares(off, whole_dof);
     found->rows[kept++] = row;
   }
   const int status = found->status;
@@ -244,7 +244,7 @@ static void count_turns(int joint, double q, double lower, double upper, int* be
   const double rounds = 1.5 / DBL_EPSILON;
   const double most = digits(5e8);
   *below = *above = 0;
-  if (!is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
+  if (!whole_is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
   const double low = lower - limit_tolerance, high = upper + limit_tolerance;
   double down = ((q - low) * (1 / turn) + rounds) - rounds;
   double up = ((high - q) * (1 / turn) + rounds) - rounds;
@@ -272,28 +272,28 @@ static void start_representatives(const Solutions* found, const double* lower, c
   all->next_row = 0;
   memcpy(all->lower, lower, sizeof all->lower);
   memcpy(all->upper, upper, sizeof all->upper);
-  for (int i = 0; i < dof; ++i) all->below[i] = all->above[i] = all->number[i] = 0;
+  for (int i = 0; i < whole_dof; ++i) all->below[i] = all->above[i] = all->number[i] = 0;
 }
 
 /// Goes to the next row that has a representative inside, and to that which is nearest to zero.
 static bool next_row_inside(Representatives* all) {
-  const double zero[dof] = {0};
+  const double zero[whole_dof] = {0};
   while (all->next_row < all->solutions->count) {
     all->row = all->solutions->rows[all->next_row++];
     if (!row_within_limits(zero, all->lower, all->upper, all->row.q)) continue;
     memcpy(all->own, all->row.q, sizeof all->own);
-    for (int i = 0; i < dof; ++i)
+    for (int i = 0; i < whole_dof; ++i)
       count_turns(i, all->own[i], all->lower[i], all->upper[i], &all->below[i], &all->above[i]);
     return true;
   }
   // Behind the last one there is none, however often it is asked for.
-  for (int i = 0; i < dof; ++i) all->below[i] = all->above[i] = 0;
+  for (int i = 0; i < whole_dof; ++i) all->below[i] = all->above[i] = 0;
   return false;
 }
 
 /// Counts through the turns of all joints like an odometer, then goes to the next row.
 static bool next_representative(Representatives* all) {
-  for (int i = 0; i < dof; ++i) {
+  for (int i = 0; i < whole_dof; ++i) {
     const bool is_more = ++all->number[i] <= all->below[i] + all->above[i];
     if (!is_more) all->number[i] = 0;
     if (is_more || all->below[i] + all->above[i] > 0)
@@ -309,7 +309,7 @@ static void own_joints(const Rows* rows, Solutions* found) {
   found->effort = rows->effort;
   found->count = rows->count;
   for (int k = 0; k < rows->count; ++k) {
-    memcpy(found->rows[k].q, rows->rows[k].q, sizeof found->rows[k].q);
+    memcpy(found->rows[k].q, rows->rows[k].q, dof * sizeof *found->rows[k].q);
     found->rows[k].branch = rows->rows[k].branch;
     found->rows[k].continuum = rows->rows[k].continuum;
   }

@@ -117,7 +117,7 @@ static void take_nearer(const Nearest* row, const Preference* seed, Nearest* fou
 static Row row_of(const Solution* own) {
   Row row;
   memset(row.q, 0, sizeof row.q);
-  memcpy(row.q, own->q, sizeof own->q);
+  memcpy(row.q, own->q, dof * sizeof *own->q);
   row.branch = own->branch;
   row.continuum = own->continuum;
   return row;
@@ -125,7 +125,8 @@ static Row row_of(const Solution* own) {
 
 static Solution own_solution(const Row* row) {
   Solution own;
-  memcpy(own.q, row->q, sizeof own.q);
+  memset(own.q, 0, sizeof own.q);
+  memcpy(own.q, row->q, dof * sizeof *own.q);
   own.branch = row->branch;
   own.continuum = row->continuum;
   return own;
@@ -159,7 +160,7 @@ static int as_solutions(const Nearest* nearest, Solutions* found) {
 
 /// Puts a solution that is outside limits by rounding on them, and drops one that is outside by more.
 static int keep_near_within(const double* lower, const double* upper, Solutions* found) {
-  for (int i = 0; found->count > 0 && i < dof; ++i) {
+  for (int i = 0; found->count > 0 && i < whole_dof; ++i) {
     double* q = &found->rows[0].q[i];
     const double inside = between(lower[i], *q, upper[i]);
     if (!(lower[i] <= upper[i] && fabs(inside - *q) <= limit_tolerance)) {

@@ -41,7 +41,7 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
   }
   kept->known[found->count] = *values;
   Solution* row = &found->rows[found->count++];
-  memcpy(row->q, q, sizeof row->q);
+  memcpy(row->q, q, dof * sizeof *row->q);
   row->branch = branch;
   row->continuum = continuum;
 }

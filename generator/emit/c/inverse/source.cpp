@@ -136,30 +136,38 @@ int largest(const json& variants, const char* key) {
   return most;
 }
 
+/// Kinds of joints; what stands behind them is virtual. A seed's branch has no virtual slides.
+json kinds_of(const model::Robot& robot, std::size_t count) {
+  json kinds = json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool slides = i < robot.joints.size() && robot.joints[i].type != model::JointType::revolute;
+    kinds.push_back({{"revolute", slides ? "false" : "true"}, {"last", i + 1 == count}});
+  }
+  return kinds;
+}
+
 /// How large arrays have to be for all variants.
-void add_sizes(const model::Robot& robot, json& values) {
+void add_sizes(const model::Robot& robot, const model::Robot& arm, json& values) {
   const json& variants = values["variants"];
-  const int dof = static_cast<int>(robot.joints.size());
+  const int dof = static_cast<int>(arm.joints.size()), whole_dof = static_cast<int>(robot.joints.size());
   const int rows = largest(variants, "row_size");
-  const int joints = std::max(largest(variants, "polished_joints"), values["arm"].is_object() ? rows : 1);
+  const bool is_whole = whole_dof == dof;
+  const int arm_joints = is_whole ? rows : std::max(rows, whole_dof);
+  const int joints =
+      std::max(largest(variants, "polished_joints"), values["arm"].is_object() || !is_whole ? arm_joints : 1);
   const bool quartic = std::any_of(variants.begin(), variants.end(),
                                    [](const json& each) { return each["quartic"].get<bool>(); });
   values["dof"] = dof;
+  values["whole_dof"] = whole_dof;
   values["row_size"] = rows;
-  values["virtual_rows"] = rows > dof;
+  values["virtual_rows"] = rows > dof || !is_whole;
   values["most_capacity"] = largest(variants, "capacity");
   values["most_joints"] = joints;
   values["most_rows"] = (quartic ? 9 : 6) + joints;
   values["most_branches"] = largest(variants, "polished_branches");
   values["no_geometry"] = robot.geometry.empty();
-  json kinds = json::array();
-  for (int i = 0; i < rows; ++i) {
-    // A seed's branch has no virtual slides.
-    const bool slides =
-        i < dof && robot.joints[static_cast<std::size_t>(i)].type != model::JointType::revolute;
-    kinds.push_back({{"revolute", slides ? "false" : "true"}, {"last", i + 1 == rows}});
-  }
-  values["kinds"] = kinds;
+  values["kinds"] = kinds_of(arm, static_cast<std::size_t>(rows));
+  values["whole_kinds"] = kinds_of(robot, robot.joints.size());
 }
 
 }  // namespace
@@ -179,9 +187,9 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   variant["c_entries"] = entries;
 }
 
-Part inverse_kinematics(const model::Robot& robot, const json& given) {
+Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, const json& given) {
   json values = given;
-  add_sizes(robot, values);
+  add_sizes(robot, arm, values);
   const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
       render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);

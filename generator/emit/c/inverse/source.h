@@ -13,8 +13,9 @@ namespace qvgen::emit::c {
 void add_entries(const model::Robot& robot, const derive::inverse::Derivation& derivation,
                  nlohmann::json& variant);
 
-/// Header and source of a robot's inverse kinematics, of the variants' values.
-Part inverse_kinematics(const model::Robot& robot, const nlohmann::json& values);
+/// Header and source of a robot's inverse kinematics, of the variants' values. `arm`: what is solved, the
+/// robot itself or what is left of it without joints that are given.
+Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, const nlohmann::json& values);
 
 /// Header and source of what orders the solutions of a robot.
 Part metrics(const model::Robot& robot);

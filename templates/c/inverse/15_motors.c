@@ -1,0 +1,424 @@
+// Rows within limits of motors. joints = A motors, exactly, and a whole turn of a joint moves several motors: motors.h and
+// motor_turns.h of the C++ library say how representatives are found. The robot's tables, `motor_of` to `turn_motion`, and
+// `values_of` stand in front of all.
+
+/// Limits beyond this are none.
+static const double farthest_limit = range(1e300);
+
+/// Turns that are tried on both sides where limits leave more than `most_turns`, or have no end.
+static const double tried_turns = 16.0;
+
+static const double most_turns = 4096.0;
+
+/// Bounds of the value that a level moves first, made ready to be compared with many rows.
+typedef struct TurnRange {
+  double step, per_step, lower, upper, middle, farthest;
+  bool is_open;  // the nearest turn that is inside stands for all
+} TurnRange;
+
+/// Limits of values, and those that one motion moves alone, ready to be brought next to their centres.
+typedef struct WithinMotors {
+  Values lower, upper, centre, per_motion;
+  double per_square[bounded];
+  TurnRange ranges[bounded];
+  Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
+} WithinMotors;
+
+static inline double nearest_whole(double quotient) {
+  const double rounds = 1.5 / DBL_EPSILON;
+  return (quotient + rounds) - rounds;
+}
+
+static inline double whole_above(double value) {
+  const double whole = nearest_whole(value);
+  return whole < value ? whole + 1 : whole;
+}
+
+/// The first value that is settled by a level; those before the first pivot are by level -1.
+static inline int level_begin(int level) { return level < 0 ? 0 : turn_pivot[level]; }
+
+static inline double motion_of(int level, int value) { return turn_motion[level * bounded + value]; }
+
+/// True if a motion moves its pivot alone, and no other one does.
+static bool is_alone(int level) {
+  return turn_ends_block[level] && level_begin(level + 1) - level_begin(level) == 1 &&
+         (level == 0 || turn_ends_block[level - 1]);
+}
+
+/// For limits, and a centre near which values are wanted, of a value that a turn moves by `step`.
+static TurnRange turn_range(double step, double lower, double upper, double centre) {
+  TurnRange range;
+  const double half = 0.5 * step - limit_tolerance;
+  const double between_limits = 0.5 * (larger(lower, -farthest_limit) + smaller(upper, farthest_limit));
+  const double least = smaller(lower + half, between_limits), most = larger(upper - half, between_limits);
+  range.step = step;
+  range.per_step = 1 / step;
+  range.lower = lower;
+  range.upper = upper;
+  range.middle = smaller(larger(centre, least), most);
+  range.is_open = !(upper - lower < most_turns * step);
+  range.farthest = range.is_open ? tried_turns : most_turns;
+  return range;
+}
+
+static inline bool is_between(double lower, double value, double upper) {
+  return value >= lower - limit_tolerance && value <= upper + limit_tolerance;
+}
+
+/// True if two values that differ by turns cannot both be inside.
+static bool has_one_place(const TurnRange* range) {
+  return range->upper - range->lower < range->step - 2 * limit_tolerance;
+}
+
+/// Limits that are not a range admit nothing: no value is between these.
+static void set_value_limits(WithinMotors* within, int place, double lower, double upper) {
+  const bool is_range = lower <= upper && lower < farthest_limit && upper > -farthest_limit;
+  within->lower.of[place] = is_range ? lower : farthest_limit;
+  within->upper.of[place] = is_range ? upper : -farthest_limit;
+}
+
+/// Sets the bounds of what a level moves, alone or with others.
+static void set_level(WithinMotors* within, int level) {
+  const int pivot = level_begin(level);
+  const TurnRange range = turn_range(motion_of(level, pivot), within->lower.of[pivot], within->upper.of[pivot],
+                                     within->centre.of[pivot]);
+  within->ranges[level] = range;
+  if (is_alone(level)) {
+    within->alone_lower.of[pivot] = range.lower - limit_tolerance;
+    within->alone_upper.of[pivot] = range.upper + limit_tolerance;
+    within->alone_step.of[pivot] = range.step;
+    within->alone_per_step.of[pivot] = range.per_step;
+    within->alone_middle.of[pivot] = range.middle;
+    return;
+  }
+  double square = 0;
+  for (int i = pivot; i < level_begin(level + 1); ++i) {
+    const double motion = motion_of(level, i);
+    within->per_motion.of[i] = motion != 0 ? 1 / motion : 0;
+    if (motor_of[i] >= 0) square += motion * motion;
+  }
+  within->per_square[level] = square != 0 ? 1 / square : 0;
+}
+
+/// Limits of motors next to a centre. A centre beyond which whole turns are lost in rounding is none, nor is what is no
+/// number.
+static void set_within_motors(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
+  double sensible[dof];
+  memset(within->per_motion.of, 0, sizeof within->per_motion.of);
+  memset(within->per_square, 0, sizeof within->per_square);
+  memset(within->alone_step.of, 0, sizeof within->alone_step.of);
+  memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
+  memset(within->alone_middle.of, 0, sizeof within->alone_middle.of);
+  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < digits(1e12) ? centre[i] : 0;
+  within->centre = values_of(sensible);
+  for (int i = 0; i < bounded; ++i) {
+    const int motor = motor_of[i];
+    set_value_limits(within, i, motor >= 0 ? lower[motor] : own_lower[i], motor >= 0 ? upper[motor] : own_upper[i]);
+    const bool stays = i < level_begin(0);
+    within->alone_lower.of[i] = stays ? within->lower.of[i] - limit_tolerance : -farthest_limit;
+    within->alone_upper.of[i] = stays ? within->upper.of[i] + limit_tolerance : farthest_limit;
+  }
+  for (int level = 0; level < turn_count; ++level) set_level(within, level);
+}
+
+static void turn_values(int level, double number, Values* values) {
+  for (int i = level_begin(level); i < bounded; ++i) values->of[i] += number * motion_of(level, i);
+}
+
+/// True if the values that no later motion moves, behind those of the level before, are inside.
+static bool is_inside(const WithinMotors* within, int level, const Values* values) {
+  for (int i = level_begin(level); i < level_begin(level + 1); ++i)
+    if (!is_between(within->lower.of[i], values->of[i], within->upper.of[i])) return false;
+  return true;
+}
+
+/// Motors of values that are inside: on their limits where rounding has moved them outside.
+static void take_motors(const WithinMotors* within, const Values* values, double* motors) {
+  for (int i = 0; i < bounded; ++i)
+    if (motor_of[i] >= 0)
+      motors[motor_of[i]] = smaller(larger(values->of[i], within->lower.of[i]), within->upper.of[i]);
+}
+
+/// True if motors, which are then put on their limits, and joints with limits are inside.
+static bool take_inside(const WithinMotors* within, double* motors) {
+  const Values values = values_of(motors);
+  for (int level = -1; level < turn_count; ++level)
+    if (!is_inside(within, level, &values)) return false;
+  take_motors(within, &values, motors);
+  return true;
+}
+
+/// Share of a level's motors in the square of the distance from the centre.
+static double part_of_square(const WithinMotors* within, int level, const Values* values) {
+  double sum = 0;
+  for (int i = level_begin(level); i < level_begin(level + 1); ++i) {
+    const double off = values->of[i] - within->centre.of[i];
+    if (motor_of[i] >= 0) sum += off * off;
+  }
+  return sum;
+}
+
+/// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above and below.
+static void start_turns(Turns* turns, const Values* from, int level, const TurnRange* range) {
+  memcpy(turns->values, from->of, sizeof turns->values);
+  turns->nearest = nearest_whole((range->middle - from->of[level_begin(level)]) * range->per_step);
+  turns->away[0] = 0;
+  turns->away[1] = 1;
+  turns->is_over[0] = turns->is_over[1] = turns->side = turns->has_one = 0;
+}
+
+/// Goes to the next number; false if there is none.
+static bool next_turn(Turns* turns, int level, const TurnRange* range, double* number) {
+  while (!(turns->is_over[0] != 0 && turns->is_over[1] != 0)) {
+    const bool goes_down = turns->is_over[0] != 0 || (turns->is_over[1] == 0 && turns->away[1] < turns->away[0]);
+    const int side = goes_down ? 1 : 0;
+    const double next = turns->nearest + (goes_down ? -turns->away[1] : turns->away[0]);
+    const bool is_over = !is_between(range->lower, turns->values[level_begin(level)] + next * range->step, range->upper) ||
+                         turns->away[side] > range->farthest;
+    turns->side = side;
+    turns->is_over[side] = is_over ? 1 : 0;
+    *number = next;
+    if (is_over) continue;
+    turns->away[side] += 1;
+    return true;
+  }
+  return false;
+}
+
+static Values turned_values(const Turns* turns, int level, double number) {
+  Values values;
+  memcpy(values.of, turns->values, sizeof values.of);
+  turn_values(level, number, &values);
+  return values;
+}
+
+/// Settles the last level of a block. All its values move along a line, on which limits leave a piece and the distance has one
+/// least value: no number is tried. Returns false if nothing is inside.
+static bool settle_last(const WithinMotors* within, int level, Values* values) {
+  double least = -farthest_limit, most = farthest_limit, wanted = 0;
+  for (int i = level_begin(level); i < level_begin(level + 1); ++i) {
+    const double motion = motion_of(level, i), per_motion = within->per_motion.of[i];
+    const double down = (within->lower.of[i] - limit_tolerance - values->of[i]) * per_motion;
+    const double up = (within->upper.of[i] + limit_tolerance - values->of[i]) * per_motion;
+    if (per_motion != 0) {
+      least = larger(least, per_motion > 0 ? down : up);
+      most = smaller(most, per_motion > 0 ? up : down);
+    } else if (!is_between(within->lower.of[i], values->of[i], within->upper.of[i])) {
+      return false;
+    }
+    if (motor_of[i] >= 0) wanted += motion * (within->centre.of[i] - values->of[i]);
+  }
+  least = whole_above(least);
+  most = -whole_above(-most);
+  if (!(least <= most)) return false;
+  turn_values(level, smaller(larger(nearest_whole(wanted * within->per_square[level]), least), most), values);
+  return true;
+}
+
+/// The last level of a level's block.
+static int last_of_block(int level) {
+  while (!turn_ends_block[level]) ++level;
+  return level;
+}
+
+/// Searches a block from a level on for its values nearest to the centre. The most numbers that are tried are 4096; `is_cut`
+/// is set if these have led to nothing.
+static bool search_block(const WithinMotors* within, int first, Values* values, bool* is_cut) {
+  const int last = last_of_block(first), most_tries = 4096;
+  Turns turns[bounded];
+  double squares[bounded];
+  double best = HUGE_VAL, number = 0;
+  int tries = 0, level = first;
+  start_turns(&turns[first], values, first, &within->ranges[first]);
+  squares[first] = 0;
+  while (level >= first) {
+    if (tries >= most_tries || !next_turn(&turns[level], level, &within->ranges[level], &number)) {
+      --level;
+      continue;
+    }
+    ++tries;
+    Values at = turned_values(&turns[level], level, number);
+    const int pivot = level_begin(level);
+    const double off = motor_of[pivot] >= 0 ? at.of[pivot] - within->centre.of[pivot] : 0;
+    if (squares[level] + off * off >= best) {
+      turns[level].is_over[turns[level].side] = 1;
+      continue;
+    }
+    if (!is_inside(within, level, &at)) continue;
+    const double square = squares[level] + part_of_square(within, level, &at);
+    if (level + 1 < last) {
+      ++level;
+      start_turns(&turns[level], &at, level, &within->ranges[level]);
+      squares[level] = square;
+      continue;
+    }
+    if (!settle_last(within, last, &at)) continue;
+    const double whole = square + part_of_square(within, last, &at);
+    if (!(whole < best)) continue;
+    best = whole;
+    *values = at;
+  }
+  if (!(best < HUGE_VAL) && tries >= most_tries) *is_cut = true;
+  return best < HUGE_VAL;
+}
+
+/// Takes the only number of a level that may be inside.
+static bool take_only(const WithinMotors* within, int level, Values* values) {
+  const TurnRange* range = &within->ranges[level];
+  turn_values(level, nearest_whole((range->middle - values->of[level_begin(level)]) * range->per_step), values);
+  return is_inside(within, level, values);
+}
+
+/// Brings the values that are moved alone next to their centres, others stay. Returns false if one is outside.
+static bool settle_alone(const WithinMotors* within, Values* values) {
+  bool holds = true;
+  for (int i = 0; i < bounded; ++i) {
+    const double off = within->alone_middle.of[i] - values->of[i];
+    values->of[i] += within->alone_step.of[i] * nearest_whole(off * within->alone_per_step.of[i]);
+    const bool is_in = values->of[i] - within->alone_lower.of[i] >= 0 && within->alone_upper.of[i] - values->of[i] >= 0;
+    holds = holds && is_in;
+  }
+  return holds;
+}
+
+/// Settles all levels that are not alone, a block or a level at a time.
+static bool settle_levels(const WithinMotors* within, Values* values, bool* is_cut) {
+  for (int level = 0; level < turn_count; ++level) {
+    if (is_alone(level)) continue;
+    if (turn_ends_block[level]) {
+      if (!settle_last(within, level, values)) return false;
+    } else if (has_one_place(&within->ranges[level])) {
+      if (!take_only(within, level, values)) return false;
+    } else {
+      if (!search_block(within, level, values, is_cut)) return false;
+      level = last_of_block(level);
+    }
+  }
+  return true;
+}
+
+/// Puts the representative in place of a row that is inside and nearest to the centre, and sets the square of its distance.
+/// Returns false if there is none; `is_cut` is then set if the search was given up.
+static bool take_nearest_turn(const WithinMotors* within, double* motors, double* square, bool* is_cut) {
+  Values values = values_of(motors);
+  if (!settle_alone(within, &values) || !settle_levels(within, &values, is_cut)) return false;
+  *square = 0;
+  for (int level = -1; level < turn_count; ++level) *square += part_of_square(within, level, &values);
+  take_motors(within, &values, motors);
+  return true;
+}
+
+/// Rows of joints as rows of motors. Returns how many there are.
+static int rows_in_motors(Solutions* found) {
+  double joints[dof];
+  for (int k = 0; k < found->count; ++k) {
+    memcpy(joints, found->rows[k].q, sizeof joints);
+    motors_by(joints, found->rows[k].q);
+  }
+  return found->count;
+}
+
+/// True if no joint is free and no rounding decides: then a seed chooses nothing.
+static bool is_regular(const Solutions* found) { return found->status == status_solved && found->effort.passes == 0; }
+
+/// Keeps of each row the representative whose motors are nearest to the seed, if it has one inside the limits; the nearest row
+/// first.
+static int keep_within_motors(Solutions* found, const double* seed, const double* lower, const double* upper) {
+  WithinMotors within;
+  double squares[capacity];
+  bool is_cut = false;
+  int kept = 0;
+  set_within_motors(&within, lower, upper, seed);
+  for (int k = 0; k < found->count; ++k) {
+    Solution row = found->rows[k];
+    double square = 0;
+    if (!take_nearest_turn(&within, row.q, &square, &is_cut)) continue;
+    squares[kept] = square;
+    found->rows[kept++] = row;
+  }
+  const int status = is_cut ? status_incomplete : found->status;
+  found->status = status;
+  found->count = kept;
+  sort_rows(found->rows, kept, squares);
+  // A row inside the limits may be among those that an incomplete set lacks.
+  if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
+  return kept;
+}
+
+/// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
+static int keep_near_within_motors(const double* lower, const double* upper, Solutions* found) {
+  if (found->count == 0) return 0;
+  WithinMotors within;
+  set_within_motors(&within, lower, upper, found->rows[0].q);
+  if (take_inside(&within, found->rows[0].q)) return 1;
+  found->count = 0;
+  found->status = status_unreachable;
+  return 0;
+}
+
+static void start_motor_representatives(const Solutions* found, const double* lower, const double* upper,
+                                        Representatives* all) {
+  all->solutions = found;
+  all->next_row = 0;
+  memcpy(all->lower, lower, sizeof all->lower);
+  memcpy(all->upper, upper, sizeof all->upper);
+  all->level = -1;
+}
+
+static void open_level(const WithinMotors* within, const Values* from, Representatives* all) {
+  ++all->level;
+  start_turns(&all->turns[all->level], from, all->level, &within->ranges[all->level]);
+}
+
+/// Goes to the next representative of a row; false if there is none.
+static bool next_of_row(const WithinMotors* within, Representatives* all) {
+  double number = 0;
+  while (all->level >= 0) {
+    const int level = all->level;
+    Turns* turns = &all->turns[level];
+    if ((within->ranges[level].is_open && turns->has_one != 0) ||
+        !next_turn(turns, level, &within->ranges[level], &number)) {
+      --all->level;
+      continue;
+    }
+    const Values values = turned_values(turns, level, number);
+    if (!is_inside(within, level, &values)) continue;
+    if (level + 1 < turn_count) {
+      open_level(within, &values, all);
+      continue;
+    }
+    take_motors(within, &values, all->row.q);
+    for (int i = 0; i < bounded; ++i) all->turns[i].has_one = 1;
+    return true;
+  }
+  return false;
+}
+
+/// Begins with a row that has a representative inside. Returns true if that stands in `row` already.
+static bool begin_row(const WithinMotors* within, Representatives* all) {
+  const Values values = values_of(all->row.q);
+  if (!is_inside(within, -1, &values)) return false;
+  if (turn_count > 0) {
+    open_level(within, &values, all);
+    return next_of_row(within, all);
+  }
+  take_motors(within, &values, all->row.q);
+  return true;
+}
+
+/// Goes through the turns of a row's joints, then to the next row that has a representative inside.
+static bool next_motor_representative(Representatives* all) {
+  const double zero[dof] = {0};
+  WithinMotors within;
+  set_within_motors(&within, all->lower, all->upper, zero);
+  if (next_of_row(&within, all)) return true;
+  while (all->next_row < all->solutions->count) {
+    double square = 0;
+    bool is_cut = false;
+    all->row = all->solutions->rows[all->next_row++];
+    double nearest[dof];
+    memcpy(nearest, all->row.q, sizeof nearest);
+    if (take_nearest_turn(&within, nearest, &square, &is_cut) && begin_row(&within, all)) return true;
+  }
+  return false;
+}
