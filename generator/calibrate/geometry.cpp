@@ -155,6 +155,11 @@ Geometry<Field> field_geometry_of(const model::Robot& robot, const std::vector<G
   return Builder<FieldValues>(robot, FieldValues(robot)).geometry(classes);
 }
 
+Rigid<double> link_frame(const model::Robot& robot, std::size_t joints) {
+  const DoubleValues values(robot);
+  return joints == 0 ? identity(1.0) : rigid_of(robot.joints.at(joints - 1).after, values);
+}
+
 void add_bodies(const model::Robot& robot, Geometry<double>& geometry, Geometry<Field>& field) {
   Builder<DoubleValues>(robot, DoubleValues(robot)).add_bodies(geometry);
   Builder<FieldValues>(robot, FieldValues(robot)).add_bodies(field);

@@ -54,6 +54,10 @@ std::vector<GapClass> classes_of(const model::Robot& robot);
 Geometry<double> geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
 Geometry<Field> field_geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
 
+/// Returns the frame of the link that so many joints move, as the description has it, seen from behind the
+/// motion of the last of them; for none the world.
+Rigid<double> link_frame(const model::Robot& robot, std::size_t joints);
+
 /// Adds the weights of the links, whose masses and centres have values.
 void add_bodies(const model::Robot& robot, Geometry<double>& geometry, Geometry<Field>& field);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/plan.h"
 
+#include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <random>
+#include <stdexcept>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -12,6 +15,11 @@ namespace qvgen::calibrate {
 namespace {
 
 constexpr std::size_t candidates = 1000;
+/// Random postures that are tried until so many keep the clearance; with fewer than `fewest` a plan would be
+/// a poor one.
+constexpr std::size_t most_tries = 100 * candidates, fewest = 100;
+/// Postures by which spheres are found that meet wherever the arm is.
+constexpr std::size_t samples = 200;
 
 /// Returns the bounds of a joint: its limits; without, a whole turn, or a slide as long as a third of the
 /// arm.
@@ -24,13 +32,14 @@ std::pair<double, double> range_of(const model::Joint& joint, const DoubleValues
 /// Random postures within the limits, and what a measurement at each would tell.
 class Planner {
  public:
-  Planner(const model::Robot& robot, const Identifiable& can, const State& state, const DataSet& set)
-      : can_(can), state_(state), set_(set) {
+  Planner(const model::Robot& robot, const Identifiable& can, const State& state, const DataSet& set,
+          Clearance clearance)
+      : can_(can), state_(state), set_(set), clearance_(std::move(clearance)) {
     const double reach = reach_of(can.model.geometry);
     const DoubleValues values(robot);
     for (const model::Joint& joint : robot.joints)
       if (joint.follows.empty()) ranges_.push_back(range_of(joint, values, reach));
-    for (std::size_t i = 0; i < candidates; ++i) add_candidate(i);
+    add_candidates();
     information_ =
         normal_of(can.model, {&set, std::vector<double>(set.rows.size(), 1.0)}, state, can.candidates).matrix;
     for (std::size_t i = 0; i < can.candidates.size(); ++i) {
@@ -43,8 +52,9 @@ class Planner {
   Plan plan(std::size_t count) {
     Plan result;
     result.before = deviation();
+    result.touching = touching_;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t best = most_telling();
+      const std::size_t best = most_telling(result.postures);
       result.postures.push_back(postures_[best].q);
       information_ += rows_[best].transpose() * rows_[best];
     }
@@ -55,9 +65,31 @@ class Planner {
  private:
   double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
 
-  void add_candidate(std::size_t number) {
+  std::vector<double> random_posture() {
+    std::vector<double> q;
+    for (const auto& [lower, upper] : ranges_) q.push_back(lower + (upper - lower) * uniform());
+    return q;
+  }
+
+  void add_candidates() {
+    std::vector<std::vector<double>> tried;
+    if (!clearance_.empty()) {
+      while (tried.size() < samples) tried.push_back(random_posture());
+      touching_ = clearance_.leave_out_constant(tried);
+    }
+    for (std::size_t tries = 0; tries < most_tries && postures_.size() < candidates; ++tries)
+      if (const std::vector<double> q = random_posture(); clearance_.kept_at(q)) add_candidate(q);
+    if (postures_.size() < fewest)
+      throw std::runtime_error(fmt::format(
+          "{} of {} random postures keep the spheres apart: {} meet most often; make these smaller, "
+          "or set limits of the joints",
+          postures_.size(), most_tries, clearance_.nearest_links(tried)));
+  }
+
+  void add_candidate(const std::vector<double>& q) {
+    const std::size_t number = postures_.size();
     Measurement each;
-    for (const auto& [lower, upper] : ranges_) each.q.push_back(lower + (upper - lower) * uniform());
+    each.q = q;
     each.target = number % can_.setup.targets;
     each.surface = can_.setup.surfaces > 0 ? number % can_.setup.surfaces : 0;
     each.pose = identity(1.0);
@@ -73,22 +105,34 @@ class Planner {
     postures_.push_back(std::move(each));
   }
 
-  /// Returns the candidate with the largest det(1 + J H^-1 J^T).
-  [[nodiscard]] std::size_t most_telling() const {
+  /// Returns det(1 + J H^-1 J^T) of each candidate.
+  [[nodiscard]] std::vector<double> gains() const {
     const Eigen::LLT<Eigen::MatrixXd> solver(information_);
-    std::size_t best = 0;
-    double most = -1;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Eigen::MatrixXd half = solver.matrixL().solve(rows_[i].transpose());
-      const Eigen::MatrixXd gain =
-          Eigen::MatrixXd::Identity(half.cols(), half.cols()) + half.transpose() * half;
-      const double value = gain.determinant();
-      if (value > most) {
-        most = value;
-        best = i;
-      }
+    std::vector<double> result;
+    for (const Eigen::MatrixXd& rows : rows_) {
+      const Eigen::MatrixXd half = solver.matrixL().solve(rows.transpose());
+      result.push_back(
+          (Eigen::MatrixXd::Identity(half.cols(), half.cols()) + half.transpose() * half).determinant());
     }
-    return best;
+    return result;
+  }
+
+  /// Returns the candidate that tells most of those that the last posture leads to.
+  [[nodiscard]] std::size_t most_telling(const std::vector<std::vector<double>>& planned) const {
+    const std::vector<double> gain = gains();
+    std::vector<std::size_t> order(gain.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return gain[a] > gain[b]; });
+    if (planned.empty() || clearance_.empty()) return order.front();
+    const auto found = std::find_if(order.begin(), order.end(), [&](std::size_t i) {
+      return clearance_.kept_between(planned.back(), postures_[i].q);
+    });
+    if (found != order.end()) return *found;
+    throw std::runtime_error(
+        fmt::format("no straight motion of the joints leads on from the posture {} without a meeting: "
+                    "plan fewer, or make the spheres smaller",
+                    planned.size()));
   }
 
   /// Returns the expected deviation of what is measured first, a position or a distance, over all candidates.
@@ -106,6 +150,8 @@ class Planner {
   const Identifiable& can_;
   const State& state_;
   const DataSet& set_;
+  Clearance clearance_;
+  std::vector<std::string> touching_;
   std::mt19937_64 random_{1};
   std::vector<std::pair<double, double>> ranges_;
   std::vector<Measurement> postures_;
@@ -116,8 +162,8 @@ class Planner {
 }  // namespace
 
 Plan plan(const model::Robot& robot, const Identifiable& can, const State& state, const DataSet& set,
-          std::size_t count) {
-  return Planner(robot, can, state, set).plan(count);
+          std::size_t count, Clearance clearance) {
+  return Planner(robot, can, state, set, std::move(clearance)).plan(count);
 }
 
 State state_without_data(const Identifiable& can) {

@@ -13,15 +13,6 @@ using description::xml::UrdfEdit;
 using description::xml::UrdfOrigin;
 using description::xml::UrdfStep;
 
-Rigid<double> rigid_of(const UrdfOrigin& origin) {
-  Rigid<double> result = identity(1.0);
-  for (std::size_t i = 3; i-- > 0;)
-    result =
-        result * turn(identity(1.0).axes.at(i), std::cos(origin.rpy.at(i)), std::sin(origin.rpy.at(i)), 1.0);
-  result.position = origin.xyz;
-  return result;
-}
-
 /// Returns roll, pitch and yaw. Next to a pitch of 90 degrees the roll is what the yaw leaves, so that both
 /// together are exact.
 UrdfOrigin origin_of(const Rigid<double>& m) {
@@ -90,6 +81,15 @@ class Writer {
 };
 
 }  // namespace
+
+Rigid<double> rigid_of(const UrdfOrigin& origin) {
+  Rigid<double> result = identity(1.0);
+  for (std::size_t i = 3; i-- > 0;)
+    result =
+        result * turn(identity(1.0).axes.at(i), std::cos(origin.rpy.at(i)), std::sin(origin.rpy.at(i)), 1.0);
+  result.position = origin.xyz;
+  return result;
+}
 
 std::string calibrated_urdf(const std::string& text, const description::ReadOptions& options,
                             const Calibration& calibration, const std::string& head) {

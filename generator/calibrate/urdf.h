@@ -4,8 +4,12 @@
 
 #include "calibrate/calibration.h"
 #include "description/reader.h"
+#include "description/xml/urdf_origin.h"
 
 namespace qvgen::calibrate {
+
+/// Returns the motion of a place in a URDF: its turns about the fixed axes, then the shift.
+Rigid<double> rigid_of(const description::xml::UrdfOrigin& origin);
 
 /// Returns the URDF `text` with new origins on the way from base to tip. Axes change only where the file has
 /// them rounded. A tip without a fixed joint of its own gets one, to the link TIP_calibrated. `head`: lines

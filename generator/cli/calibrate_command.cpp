@@ -24,6 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using calibrate::Calibration;
 
+/// Thrown after the mistakes of a table of spheres have been printed.
+struct BadSpheres {};
+
 bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
@@ -121,31 +124,81 @@ void write(const CalibrateArguments& arguments, const description::ReadResult& r
   fmt::print(stderr, "wrote {}\n", arguments.output.string());
 }
 
-/// Prints postures to measure next.
-void print_plan(const model::Robot& robot, const calibrate::Identifiable& can, const calibrate::State& state,
-                const calibrate::DataSet& set, std::size_t count) {
-  if (can.setup.data == calibrate::Data::plane || can.setup.data == calibrate::Data::sphere)
-    throw std::runtime_error("--plan is for poses, positions and distances: a surface leaves no choice");
-  const calibrate::Plan plan = calibrate::plan(robot, can, state, set, count);
-  fmt::print("{}", calibrate::table_of(robot, plan));
-  fmt::print(stderr, "expected deviation of a prediction: {:.4f} mm, before {:.4f} mm\n", 1e3 * plan.after,
-             1e3 * plan.before);
+/// Returns the spheres that stand for the links: those of a table, else those of a URDF. Throws BadSpheres.
+std::vector<calibrate::Sphere> spheres_of(const CalibrateArguments& arguments,
+                                          const description::ReadResult& read) {
+  if (arguments.spheres.empty()) return calibrate::spheres_of_urdf(read.text, arguments.read, *read.robot);
+  auto result = calibrate::read_spheres(arguments.spheres, *read.robot, arguments.options.length_unit);
+  print_diagnostics(result.diagnostics);
+  if (!result.good) throw BadSpheres{};
+  return std::move(result.spheres);
 }
 
-int plan_without_data(const CalibrateArguments& arguments, const model::Robot& robot,
-                      const calibrate::Options& options) {
-  if (arguments.plan == 0) throw UsageError("calibrate takes a table of measurements, or --plan NUMBER");
+/// Says what a plan keeps apart.
+void say_spheres(std::size_t count, const calibrate::Plan& plan, double clearance) {
+  if (count == 0) {
+    fmt::print(stderr, "links may meet: a table of spheres, --spheres FILE, keeps them apart\n");
+    return;
+  }
+  fmt::print(
+      stderr,
+      "{} spheres: those of links that are not neighbours keep {:.4g} mm, on straight motions of the joints "
+      "from one posture to the next, too\n",
+      count, 1e3 * clearance);
+  for (const std::string& links : plan.touching)
+    fmt::print(stderr, "note: spheres of {} meet in every posture: these were not looked at\n", links);
+}
+
+/// Prints postures to measure next.
+void print_plan(const CalibrateArguments& arguments, const description::ReadResult& read,
+                const calibrate::Identifiable& can, const calibrate::State& state,
+                const calibrate::DataSet& set) {
+  if (can.setup.data == calibrate::Data::plane || can.setup.data == calibrate::Data::sphere)
+    throw std::runtime_error("--plan is for poses, positions and distances: a surface leaves no choice");
+  const std::vector<calibrate::Sphere> spheres = spheres_of(arguments, read);
+  const calibrate::Plan plan =
+      calibrate::plan(*read.robot, can, state, set, arguments.plan,
+                      calibrate::Clearance(can.model.geometry, spheres, arguments.clearance));
+  fmt::print("{}", calibrate::table_of(*read.robot, plan));
+  fmt::print(stderr, "expected deviation of a prediction: {:.4f} mm, before {:.4f} mm\n", 1e3 * plan.after,
+             1e3 * plan.before);
+  say_spheres(spheres.size(), plan, arguments.clearance);
+}
+
+void plan_without_data(const CalibrateArguments& arguments, const description::ReadResult& read,
+                       const calibrate::Options& options) {
   calibrate::DataSet none;
   none.targets = {1};
   if (arguments.options.camera) none.data = calibrate::Data::camera;
-  const calibrate::Identifiable can = calibrate::identifiable(robot, calibrate::setup_of(none, options));
-  print_plan(robot, can, calibrate::state_without_data(can), none, arguments.plan);
-  return success;
+  const calibrate::Identifiable can =
+      calibrate::identifiable(*read.robot, calibrate::setup_of(none, options));
+  print_plan(arguments, read, can, calibrate::state_without_data(can), none);
+}
+
+void plan_after(const CalibrateArguments& arguments, const description::ReadResult& read,
+                calibrate::DataSet set, const Calibration& found) {
+  for (auto& row : set.rows)
+    if (!set.sigma_known) row.sigma = found.sigma, row.sigma_angle = found.sigma_angle;
+  print_plan(arguments, read, found.identifiable, found.state, set);
+}
+
+/// Runs a function that prints a plan.
+template <class Print>
+int planned(const Print& print) {
+  try {
+    print();
+    return success;
+  } catch (const BadSpheres&) {
+    return failure;
+  }
 }
 
 }  // namespace
 
 int run_calibrate(const CalibrateArguments& arguments) {
+  if (arguments.data.empty() && arguments.plan == 0)
+    throw UsageError("calibrate takes a table of measurements, or --plan NUMBER");
+  if (arguments.plan == 0 && !arguments.spheres.empty()) throw UsageError("--spheres is for --plan NUMBER");
   if (arguments.format != CalibratedFormat::toml && arguments.output.empty())
     throw UsageError("--format says how the output is written: name it, -o FILE");
   description::ReadOptions read = arguments.read;
@@ -158,7 +211,8 @@ int run_calibrate(const CalibrateArguments& arguments) {
   if (arguments.bending) check_masses(robot);
   const calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
                                    has(arguments.known, "target"), arguments.bending};
-  if (arguments.data.empty()) return plan_without_data(arguments, robot, options);
+  const description::ReadResult& read_robot = descriptions->front();
+  if (arguments.data.empty()) return planned([&] { plan_without_data(arguments, read_robot, options); });
   const calibrate::DataResult data = calibrate::read_data(arguments.data, robot, arguments.options);
   print_diagnostics(data.diagnostics);
   if (!data.good) return failure;
@@ -168,13 +222,7 @@ int run_calibrate(const CalibrateArguments& arguments) {
     print_diagnostics({{data.set.file, 1, 1, description::Diagnostic::error, error.message, error.hint}});
     return failure;
   }
-  if (arguments.plan > 0) {
-    calibrate::DataSet weighed = data.set;
-    for (auto& row : weighed.rows)
-      if (!weighed.sigma_known) row.sigma = found->sigma, row.sigma_angle = found->sigma_angle;
-    print_plan(robot, found->identifiable, found->state, weighed, arguments.plan);
-    return success;
-  }
+  if (arguments.plan > 0) return planned([&] { plan_after(arguments, read_robot, data.set, *found); });
   fmt::print("{}", calibrate::report_text(robot, data.set, *found));
   if (!arguments.output.empty()) write(arguments, descriptions->front(), *found);
   if (!arguments.page.empty()) write_whole(arguments.page, calibrate::page(robot, data.set, *found));

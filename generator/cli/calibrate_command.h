@@ -34,6 +34,8 @@ struct CalibrateArguments {
   bool gears = false;              ///< eccentricity of gears, too
   bool bending = false;            ///< of joints under gravity, too
   std::size_t plan = 0;            ///< how many postures to plan; 0: calibrate
+  std::filesystem::path spheres;   ///< for plans; may be empty
+  double clearance = 0.01;         ///< m, between spheres
   std::vector<std::string> known;  ///< frames: tracker, target
 };
 

@@ -32,6 +32,22 @@ void add_units(CLI::App& command, calibrate::DataOptions& options) {
       ->delimiter(',');
 }
 
+void add_planning(CLI::App& command, CalibrateArguments& arguments) {
+  command
+      .add_option("--plan", arguments.plan,
+                  "print so many postures that tell most, after those of DATA; without DATA for poses")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 1000).description(""));
+  command
+      .add_option("--spheres", arguments.spheres,
+                  "table of spheres, link x y z radius, that --plan keeps apart; those of a URDF's collision "
+                  "geometry without")
+      ->type_name("FILE");
+  command.add_option("--clearance", arguments.clearance, "distance between these spheres; 0.01 without")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.0, 10.0).description(""));
+}
+
 }  // namespace
 
 CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
@@ -46,11 +62,7 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
                   "table of joint values q1, q2, ... and what was measured there: x y z, with qw qx qy qz or "
                   "roll pitch yaw or rx ry rz for poses; or distance; or the number of a plane or sphere")
       ->type_name("FILE");
-  command
-      .add_option("--plan", arguments.plan,
-                  "print so many postures that tell most, after those of DATA; without DATA for poses")
-      ->type_name("NUMBER")
-      ->check(CLI::Range(1, 1000).description(""));
+  add_planning(command, arguments);
   command.add_option("-o,--output", arguments.output, "description to write; only the report without")
       ->type_name("FILE");
   command.add_option("--page", arguments.page, "the report as a page of HTML with plots, to write")

@@ -6,7 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
+
+#include "identify/chunks.h"
 
 namespace qvgen::identify {
 namespace {
@@ -23,16 +25,29 @@ constexpr double even = 1e-6;
 /// Weights of the samples of a window that give the value at its middle and the two derivatives there.
 using Weights = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-/// `times` are relative to the middle of the window.
+/// Returns the weights for times relative to the middle of the window. The polynomials are orthogonal over
+/// these times, and each follows from the two before it (Forsythe 1957).
 Weights weights_at(const VectorXd& times) {
   const double scale = times.cwiseAbs().maxCoeff();
-  MatrixXd powers(times.size(), degree + 1);
-  powers.col(0).setOnes();
-  for (Index k = 1; k <= degree; ++k) powers.col(k) = powers.col(k - 1).cwiseProduct(times / scale);
-  const MatrixXd inverse = powers.completeOrthogonalDecomposition().pseudoInverse();
-  Weights weights = inverse.topRows(3);
+  const Eigen::ArrayXd x = times.array() / scale;
+  Eigen::ArrayXd now = Eigen::ArrayXd::Ones(x.size()), before = Eigen::ArrayXd::Zero(x.size());
+  // Value and two derivatives of both in the middle, where x is 0.
+  Eigen::Vector3d middle = Eigen::Vector3d::UnitX(), middle_before = Eigen::Vector3d::Zero();
+  Weights weights = Weights::Zero(3, x.size());
+  double squares_before = std::numeric_limits<double>::infinity();
+  for (Index k = 0; k <= degree; ++k) {
+    const double squares = now.square().sum();
+    weights += middle / squares * now.matrix().transpose();
+    const double shift = (x * now.square()).sum() / squares, share = squares / squares_before;
+    before = (x - shift) * now - share * before;
+    now.swap(before);
+    const Eigen::Vector3d by_x(0, middle[0], 2 * middle[1]);
+    middle_before = by_x - shift * middle - share * middle_before;
+    middle.swap(middle_before);
+    squares_before = squares;
+  }
   weights.row(1) /= scale;
-  weights.row(2) *= 2 / (scale * scale);
+  weights.row(2) /= scale * scale;
   return weights;
 }
 
@@ -98,7 +113,7 @@ std::vector<std::pair<Index, Index>> pieces_of(const std::vector<double>& time) 
   return pieces;
 }
 
-void derive_motion(MotionLog& log, Index half) {
+void derive_motion(MotionLog& log, Index half, Index stride) {
   const bool rates = log.qd.rows() == 0, accelerations = log.qdd.rows() == 0;
   if (!rates && !accelerations) return;
   const MatrixXd measured = rates ? log.q : log.qd;
@@ -106,13 +121,20 @@ void derive_motion(MotionLog& log, Index half) {
   if (rates) log.qd = empty;
   if (accelerations) log.qdd = empty;
   const Windows windows(log.time, half);
-  for (const auto& [first, end] : pieces_of(log.time))
-    for (Index k = first + half; k + half < end; ++k) {
-      if (rates)
-        derive_sample(measured, windows.at(k), k, &log.q, log.qd, accelerations ? &log.qdd : nullptr);
-      else
-        derive_sample(measured, windows.at(k), k, nullptr, log.qdd, nullptr);
-    }
+  const auto derive = [&](Index k) {
+    if (rates)
+      derive_sample(measured, windows.at(k), k, &log.q, log.qd, accelerations ? &log.qdd : nullptr);
+    else
+      derive_sample(measured, windows.at(k), k, nullptr, log.qdd, nullptr);
+  };
+  for (const auto& [first, end] : pieces_of(log.time)) {
+    const Index from = first + half;
+    in_chunks(end - half - from, [&](Index begin, Index last) {
+      for (Index k = from + begin; k < from + last; ++k)
+        if (k % stride == 0) derive(k);
+      return 0;
+    });
+  }
 }
 
 double band_of(Index half, double step) {

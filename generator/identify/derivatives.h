@@ -20,8 +20,8 @@ double usual_step(const std::vector<double>& time);
 /// Fills in rates and accelerations where they are missing, from windows of 2 half + 1 samples; with rates
 /// that were measured, accelerations come from these. Positions become those of the polynomials where rates
 /// are derived. Samples nearer than `half` to an end of a piece become nan: their windows would lean to one
-/// side.
-void derive_motion(MotionLog& log, Eigen::Index half);
+/// side. With a stride only every so many samples get theirs, and all others become nan.
+void derive_motion(MotionLog& log, Eigen::Index half, Eigen::Index stride = 1);
 
 /// Returns the frequency (Hz) at which the second derivative has lost half of its power.
 double band_of(Eigen::Index half, double step);

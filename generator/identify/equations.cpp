@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
-#include <thread>
 
 #include <Eigen/QR>
 
+#include "identify/chunks.h"
 #include "identify/extra_columns.h"
 
 namespace qvgen::identify {
@@ -17,8 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index block = static_cast<Index>(Tape::block);
-/// Samples of a chunk, which one thread goes through.
-constexpr Index chunk = 128 * block;
+static_assert(chunk % block == 0);
 
 /// Rows that wait, for so many columns: reflections of many rows at once are the cheaper.
 Index waiting_rows(Index columns) { return block * std::max<Index>(4, 4 * columns / block); }
@@ -109,23 +107,6 @@ class Chunk {
   std::vector<double> workspace_;
   Equations equations_;
 };
-
-/// Calls work(first, last) for chunks of samples, on all cores; results come in the order of the chunks.
-template <class Work>
-auto in_chunks(Index samples, const Work& work) {
-  using Result = decltype(work(Index(0), Index(0)));
-  const Index chunks = (samples + chunk - 1) / chunk;
-  std::vector<Result> results(static_cast<std::size_t>(chunks));
-  const auto threads = std::clamp<Index>(std::thread::hardware_concurrency(), 1, std::max<Index>(1, chunks));
-  std::vector<std::future<void>> running;
-  for (Index thread = 0; thread < threads; ++thread)
-    running.push_back(std::async(std::launch::async, [&, thread] {
-      for (Index k = thread; k < chunks; k += threads)
-        results[static_cast<std::size_t>(k)] = work(k * chunk, std::min(samples, (k + 1) * chunk));
-    }));
-  for (auto& each : running) each.get();
-  return results;
-}
 
 }  // namespace
 

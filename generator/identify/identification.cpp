@@ -14,10 +14,13 @@ namespace qvgen::identify {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Samples of each log that windows are tried on.
+/// Samples of each log that rates of Stribeck are tried on, and that windows have at their most.
 constexpr Index trial_samples = 10'000;
+/// Windows are tried at so many samples of each log, or up to twice as many.
+constexpr Index window_samples = 6'000;
 constexpr double standstill_share = 0.01;
 
 MotionLog beginning(const MotionLog& log, Index samples) {
@@ -74,26 +77,38 @@ void derive_all(std::vector<MotionLog>& logs, Index half) {
   for (MotionLog& log : logs) derive_motion(log, half);
 }
 
+/// Returns some of a log's samples, evenly spaced, with rates and accelerations from all.
+MotionLog derived_sample(MotionLog log, Index half) {
+  const Index stride = std::max<Index>(1, log.samples() / window_samples);
+  derive_motion(log, half, stride);
+  if (stride == 1) return log;
+  const auto kept = Eigen::seq(0, log.samples() - 1, stride);
+  for (MatrixXd* part : {&log.q, &log.qd, &log.qdd, &log.torque, &log.temperature})
+    if (part->rows() > 0) *part = MatrixXd((*part)(kept, Eigen::all));
+  std::vector<double> time;
+  for (std::size_t k = 0; k < log.time.size(); k += static_cast<std::size_t>(stride))
+    time.push_back(log.time[k]);
+  log.time = std::move(time);
+  return log;
+}
+
 /// Sum of the logarithms of the joints' noise: the less, the more likely are the data.
-double unlikelihood(const ArmRegressor& arm, std::vector<MotionLog> logs, Index half,
+double unlikelihood(const ArmRegressor& arm, const std::vector<MotionLog>& all, Index half,
                     const Request& request) {
-  derive_all(logs, half);
+  std::vector<MotionLog> logs;
+  for (const MotionLog& log : all) logs.push_back(derived_sample(log, half));
   const Estimate found = estimate(equations_of_all(arm, logs, use_of(arm, logs, request)), arm.parameters());
   return found.noise.array().max(std::numeric_limits<double>::min()).log().sum();
 }
 
 /// The window that lets the torques be predicted best.
 Index best_half(const ArmRegressor& arm, const std::vector<MotionLog>& logs, const Request& request) {
-  std::vector<MotionLog> trial;
   Index shortest = trial_samples;
-  for (const MotionLog& log : logs) {
-    trial.push_back(beginning(log, trial_samples));
-    shortest = std::min(shortest, trial.back().samples());
-  }
+  for (const MotionLog& log : logs) shortest = std::min(shortest, log.samples());
   Index best = 0;
   double least = 0;
   for (const Index half : windows_for(shortest)) {
-    const double found = unlikelihood(arm, trial, half, request);
+    const double found = unlikelihood(arm, logs, half, request);
     if (best != 0 && found >= least) continue;
     best = half;
     least = found;

@@ -33,10 +33,20 @@ grep -q "wrong.csv:5:1: error: 'q1' is nan" errors.txt && grep -q 'wrong.csv:7:1
 "$tool" calibrate ur5 --plan 10 > ten.csv 2> plan10.txt
 head -11 plan.csv | cmp - ten.csv || fail "a longer plan begins in another way"
 [[ $(wc -l < plan.csv) -eq 31 ]] || fail "not 30 postures"
-awk '{ print $6 }' plan30.txt plan10.txt | paste -sd' ' | awk '{ exit !($1 < $2 && $1 < 0.2) }' || fail "$(cat plan30.txt plan10.txt)"
+awk '/^expected/ { print $6 }' plan30.txt plan10.txt | paste -sd' ' | awk '{ exit !($1 < $2 && $1 < 0.2) }' || fail "$(cat plan30.txt plan10.txt)"
 "$tool" calibrate ur5 poses.csv --plan 5 > more.csv
 [[ $(wc -l < more.csv) -eq 6 ]] || fail "not 5 postures"
 if "$tool" calibrate ur5 2> errors.txt; then fail "no data were taken"; fi
+
+# Spheres that are kept apart.
+printf 'link, x [mm], y [mm], z [mm], radius [mm]\n0, 50, 0, -250, 200\n2, 425, 0, 136, 60\n5, 0, 0, 0, 50\n6, 0, 0, 0, 45\n' > spheres.csv
+"$tool" calibrate ur5 --plan 10 --spheres spheres.csv > apart.csv 2> apart.txt
+[[ $(wc -l < apart.csv) -eq 11 ]] && grep -q '^4 spheres: those of links that are not neighbours keep 10 mm' apart.txt || fail "$(cat apart.txt)"
+cmp -s apart.csv ten.csv && fail "spheres changed nothing"
+grep -q 'links may meet' plan10.txt || fail "$(cat plan10.txt)"
+sed 's/^6/7/' spheres.csv > wrong_spheres.csv
+if "$tool" calibrate ur5 --plan 10 --spheres wrong_spheres.csv > /dev/null 2> errors.txt; then fail "link 7 was taken"; fi
+grep -q 'wrong_spheres.csv:5:1: error: there is no link 7' errors.txt || fail "$(cat errors.txt)"
 
 # Other forms of the result.
 "$tool" calibrate ur5 poses.csv --format hayati -o table.csv --page page.html > /dev/null

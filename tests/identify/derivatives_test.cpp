@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 namespace qvgen::test {
@@ -48,6 +49,46 @@ TEST(Derivatives, UnevenTimesAreExactToo) {
   MotionLog log = quartic(time);
   derive_motion(log, 4);
   expect_exact(log, 4, 196);
+}
+
+/// Of numbers that no polynomial has, the nearest quartic is taken: Eigen's decomposition finds the same one.
+TEST(Derivatives, UnevenTimesGiveTheNearestQuartic) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> step(0.0005, 0.0015), number(-1, 1);
+  MotionLog log{"", {0}, Eigen::MatrixXd(300, 2), {}, {}, {}};
+  for (int k = 1; k < 300; ++k) log.time.push_back(log.time.back() + step(random));
+  for (double& each : log.q.reshaped()) each = number(random);
+  for (const Index half : {3, 16, 128}) {
+    MotionLog found = log;
+    derive_motion(found, half);
+    for (Index k = half; k < 300 - half; k += 7) {
+      const Eigen::VectorXd time = Eigen::VectorXd::Map(log.time.data() + k - half, 2 * half + 1).array() -
+                                   log.time[static_cast<std::size_t>(k)];
+      const double unit = time.maxCoeff();
+      Eigen::MatrixXd powers(time.size(), 5);
+      for (Index power = 0; power < 5; ++power)
+        powers.col(power) = (time / unit).array().pow(static_cast<double>(power));
+      const Eigen::MatrixXd fit = powers.householderQr().solve(log.q.middleRows(k - half, 2 * half + 1));
+      EXPECT_LT((found.q.row(k) - fit.row(0)).norm(), 1e-12);
+      EXPECT_LT((found.qd.row(k) * unit - fit.row(1)).norm(), 1e-11);
+      EXPECT_LT((found.qdd.row(k) * unit * unit / 2 - fit.row(2)).norm(), 1e-11);
+    }
+  }
+}
+
+/// With a stride some samples get the same numbers as without, and the others none.
+TEST(Derivatives, AStrideLeavesSamplesOut) {
+  std::vector<double> time;
+  for (int k = 0; k < 60; ++k) time.push_back(0.01 * k);
+  MotionLog all = quartic(time), some = all;
+  derive_motion(all, 4);
+  derive_motion(some, 4, 3);
+  for (Index k = 4; k < 56; ++k) {
+    if (k % 3 == 0)
+      EXPECT_EQ(some.qdd(k, 0), all.qdd(k, 0));
+    else
+      EXPECT_TRUE(std::isnan(some.qdd(k, 0)));
+  }
 }
 
 TEST(Derivatives, NothingIsFittedAcrossAGap) {

@@ -38,8 +38,10 @@ def test_frames(coupled, rows):
 
 
 def test_geometry_jacobian(coupled, rows):
-    found = coupled.geometry_jacobian(rows(coupled, 4))
+    q = rows(coupled, 4)
+    found = coupled.geometry_jacobian(q)
     assert found.shape == (4, 6, 6 * (5 + 1))
+    assert all(np.array_equal(found[k], coupled.geometry_jacobian(q[k])) for k in range(4))
     tool = coupled.forward_kinematics(rows(coupled, 4)[0])
     assert np.allclose(found[0, :3, -6:-3] @ found[0, :3, -6:-3].T, np.eye(3)) and tool.shape == (7,)
 

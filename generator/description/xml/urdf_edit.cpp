@@ -23,23 +23,12 @@ std::string origin_tag(const UrdfOrigin& origin) {
   return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", words(origin.xyz), words(origin.rpy));
 }
 
-std::array<double, 3> triple(Context& context, const Element* element, const std::string& key,
-                             const std::array<double, 3>& otherwise) {
-  if (element == nullptr) return otherwise;
-  const auto numbers = read_decimals(context, *element, key, 3);
-  if (!numbers) return otherwise;
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) result.at(i) = cln::double_approx((*numbers)[i].value);
-  return result;
-}
-
 UrdfStep step_of(Context& context, const UrdfLink& link) {
   UrdfStep step;
   step.joint = link.joint->attribute("name")->value;
   step.moves = link.moves;
-  const Element* origin = link.joint->child("origin");
-  step.origin = {triple(context, origin, "xyz", {}), triple(context, origin, "rpy", {})};
-  step.axis = triple(context, link.joint->child("axis"), "xyz", step.axis);
+  step.origin = read_origin(context, *link.joint);
+  step.axis = read_triple(context, link.joint->child("axis"), "xyz", step.axis);
   const Element* mimic = link.joint->child("mimic");
   step.has_offset =
       link.moves && mimic != nullptr && !cln::zerop(read_decimal(context, *mimic, "offset", 0).value);

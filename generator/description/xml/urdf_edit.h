@@ -9,13 +9,9 @@
 #include <vector>
 
 #include "description/reader.h"
+#include "description/xml/urdf_origin.h"
 
 namespace qvgen::description::xml {
-
-/// Place of a joint or a body: m; rad, about the fixed axes x, y, z one after the other.
-struct UrdfOrigin {
-  std::array<double, 3> xyz{}, rpy{};
-};
 
 struct UrdfInertia {
   double mass = 0;                  ///< kg

@@ -22,7 +22,7 @@ const std::string pose = "w x y z of the unit quaternion, then the position, m";
 const std::string transform = "the rotation matrix column by column, then the position, m";
 const std::string columns = "its 6 x dof entries column by column";
 
-/// Those of kinematics and Jacobians.
+/// Forms of kinematics, Jacobians and errors of the geometry.
 const std::vector<BatchForm>& known_forms() {
   static const std::vector<BatchForm> forms{
       {"forward_kinematics", "forward_kinematics", "kinematics", {q}, "7", pose},
@@ -35,6 +35,12 @@ const std::vector<BatchForm>& known_forms() {
        "12 + 6 * dof",
        transform + ", then the Jacobian's entries column by column",
        {"transform", "jacobian"}},
+      {"geometry_jacobian",
+       "geometry_jacobian",
+       "geometry_jacobian",
+       {q},
+       "6 * geometry_error_count",
+       "its 6 x geometry_error_count entries column by column"},
       {"tool_jacobian", "tool_jacobian", "jacobian", {q}, "6 * dof", columns},
       {"jacobian_at", "jacobian_at", "jacobian", {q, point}, "6 * dof", columns},
       {"velocity", "velocity", "jacobian", {q, qd}, "6", "linear part first"},
