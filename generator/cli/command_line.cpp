@@ -55,9 +55,10 @@ void add_generate(CommandLine& line) {
       ->allow_extra_args(false)
       ->delimiter(',');
   command
-      .add_option("--language", line.language,
-                  "cxx; c, rust, javascript, opencl or cuda: files in a folder of that name in the output")
-      ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "opencl", "cuda"}));
+      .add_option(
+          "--language", line.language,
+          "cxx; c, rust, javascript, octave, opencl or cuda: files in a folder of that name in the output")
+      ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "octave", "opencl", "cuda"}));
   command
       .add_option("--scalar", line.scalar,
                   "what C computes in: double, or float for controllers without double")

@@ -8,7 +8,7 @@
 namespace qvgen::pipeline {
 
 /// Language of the output; C in double or in float.
-enum class Language { cxx, c, c_in_float, rust, javascript, opencl, cuda };
+enum class Language { cxx, c, c_in_float, rust, javascript, octave, opencl, cuda };
 
 /// True for languages that are made of a robot's whole C.
 inline bool is_translated(Language language) {

@@ -5,6 +5,7 @@
 
 #include "emit/javascript/module.h"
 #include "emit/kernels/kernels.h"
+#include "emit/octave/package.h"
 #include "emit/rust/crate.h"
 
 namespace qvgen::pipeline {
@@ -41,7 +42,9 @@ OutputFile kernels(const std::string& path, Language language, const emit::block
 }  // namespace
 
 RobotOutput translated(RobotOutput output, Language language) {
-  const std::string folder = row_of(language).name + "/qvgen_" + output.robot + "/";
+  // A folder of Octave's whose name begins with + is a package.
+  const std::string mark = language == Language::octave ? "/+qvgen_" : "/qvgen_";
+  const std::string folder = row_of(language).name + mark + output.robot + "/";
   try {
     const std::vector<emit::blocks::File> c = files_of(output);
     const emit::blocks::Unit unit = emit::blocks::parse(output.robot, c);
@@ -50,8 +53,9 @@ RobotOutput translated(RobotOutput output, Language language) {
       output.files = {kernels(row_of(language).name + "/qvgen_" + output.robot, language, unit, c, missing)};
       return output;
     }
-    const auto files = language == Language::rust ? emit::rust::crate(unit, missing)
-                                                  : emit::javascript::package(unit, missing);
+    const auto files = language == Language::rust     ? emit::rust::crate(unit, missing)
+                       : language == Language::octave ? emit::octave::package(unit, c, missing)
+                                                      : emit::javascript::package(unit, missing);
     output.files.clear();
     for (const auto& [path, content] : files) output.files.push_back({folder + path, content});
   } catch (const emit::blocks::NotInSubset& error) {

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Makes robots in a further language and runs their vectors in it.
 
-    python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   C, Rust and JavaScript, and vectors by the C
+    python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   robots in each language, and vectors by the C
     python3 languages_test.py rust|clippy|cargo|javascript FOLDER     their vectors, or what the language's checker says
+    python3 languages_test.py octave FOLDER                           their vectors, with the MEX file compiled
     python3 languages_test.py npm FOLDER                              packs, installs and imports a robot
     python3 languages_test.py readme FOLDER README                    the programs that the README shows
 """
@@ -12,6 +13,7 @@ import shutil
 import subprocess
 import sys
 
+import octave_runner
 import rust_runner
 import vectors
 
@@ -24,7 +26,7 @@ def make(tool, cc, folder, *robots):
     for each in robots:
         description, _, parts = each.partition(":")
         robot = pathlib.Path(description).stem
-        for language in ("c", "rust", "javascript"):
+        for language in ("c", "rust", "javascript", "octave"):
             only = ["--only", parts.replace("+", ",")] if parts else []
             subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
                             "--quiet"], check=True)
@@ -33,6 +35,8 @@ def make(tool, cc, folder, *robots):
         assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
         (folder / "vectors" / f"{robot}.rs").write_text(rust_runner.program(header))
         (folder / "vectors" / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+        (folder / "vectors" / f"{robot}.m").write_text(
+            octave_runner.write(header, made, folder / "vectors/octave", (folder / "made/octave").resolve()))
         print(f"{robot}: {len(made['calls'])} vectors of {len(header.functions)} functions")
 
 
@@ -65,7 +69,8 @@ def npm(folder):
     subprocess.run([needed("node"), "use.mjs"], cwd=project, check=True, stdout=subprocess.DEVNULL)
 
 
-PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs"}
+PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs",
+            "octave-cli": "octave", "mkoctfile": "octave-dev"}
 CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
 
 
@@ -98,6 +103,20 @@ def javascript(folder):
         subprocess.run([node, HERE / "run_vectors.mjs", module, folder / "vectors" / f"{robot}.json"], check=True)
 
 
+def octave(folder):
+    for robot in robots_of(folder):
+        run_octave(folder / "vectors" / f"{robot}.m")
+
+
+def run_octave(program):
+    """Runs a program and prints its output, where Octave says what failed, without what it says at its end."""
+    needed("mkoctfile")
+    done = subprocess.run([needed("octave-cli"), "--norc", "--quiet", "--path", HERE, program], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300)
+    print(done.stdout)
+    done.check_returncode()
+
+
 def readme_block(readme, first_line):
     """The indented block of a README that begins with that line."""
     lines = pathlib.Path(readme).read_text().splitlines()
@@ -111,28 +130,39 @@ def readme_block(readme, first_line):
     return "\n".join(line[4:] for line in block) + "\n"
 
 
+def javascript_example(folder, page):
+    program = folder / "readme/example.mjs"
+    program.write_text(readme_block(page, "import * as arm from").replace("./out/", "../made/"))
+    subprocess.run(["node", program], check=True)
+
+
+def rust_example(folder, page):
+    program = folder / "readme/example.rs"
+    program.write_text(readme_block(page, "use qvgen_puma560"))
+    library = folder / "readme/libqvgen_puma560.rlib"
+    crate = folder / "made/rust/qvgen_puma560/src/lib.rs"
+    subprocess.run(["rustc", *CRATE, "--crate-name", "qvgen_puma560", crate, "-o", library], check=True)
+    subprocess.run(["rustc", "--edition", "2021", "--extern", f"qvgen_puma560={library}", program, "-o",
+                    folder / "readme/example"], check=True)
+    subprocess.run([folder / "readme/example"], check=True)
+
+
+def octave_example(folder, page):
+    program = folder / "readme/example.m"
+    program.write_text(readme_block(page, "addpath('out/octave')").replace("out/octave", str((folder / "made/octave").resolve())))
+    run_octave(program)
+
+
 def readme(folder, page):
     """Runs the READMEs' programs in the languages that are there."""
     (folder / "readme").mkdir(exist_ok=True)
-    ran = 0
-    if shutil.which("node"):
-        program = folder / "readme/example.mjs"
-        text = readme_block(page, "import * as arm from")
-        program.write_text(text.replace("./out/", "../made/"))
-        subprocess.run(["node", program], check=True)
-        ran += 1
-    if shutil.which("rustc"):
-        program = folder / "readme/example.rs"
-        program.write_text(readme_block(page, "use qvgen_puma560"))
-        library = folder / "readme/libqvgen_puma560.rlib"
-        crate = folder / "made/rust/qvgen_puma560/src/lib.rs"
-        subprocess.run(["rustc", *CRATE, "--crate-name", "qvgen_puma560", crate, "-o", library], check=True)
-        subprocess.run(["rustc", "--edition", "2021", "--extern", f"qvgen_puma560={library}", program, "-o",
-                        folder / "readme/example"], check=True)
-        subprocess.run([folder / "readme/example"], check=True)
-        ran += 1
-    if ran < 2:
-        print(f"skipped: {2 - ran} of 2 examples, node or rustc is not there")
+    examples = {"node": javascript_example, "rustc": rust_example, "mkoctfile": octave_example}
+    missing = [program for program in examples if shutil.which(program) is None]
+    for program, example in examples.items():
+        if program not in missing:
+            example(folder, page)
+    if missing:
+        print(f"skipped: {len(missing)} of {len(examples)} examples; there is no {', '.join(missing)}")
         sys.exit(SKIPPED)
 
 
@@ -161,7 +191,7 @@ if __name__ == "__main__":
         if what == "make":
             make(*arguments)
         else:
-            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "npm": npm, "readme": readme}[what]
+            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "octave": octave, "npm": npm, "readme": readme}[what]
             run(pathlib.Path(arguments[0]), *arguments[1:])
     except subprocess.CalledProcessError as error:
         sys.exit(f"failed: {error}")

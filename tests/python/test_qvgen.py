@@ -2,11 +2,13 @@
 """Shared parts of the modules of robots: forward kinematics, Jacobians and dynamics."""
 
 import pathlib
+import types
 
 import numpy as np
 import pytest
 
 import qvgen
+from qvgen import _show
 
 HERE = pathlib.Path(__file__).resolve().parent
 POINTS = 50
@@ -206,7 +208,7 @@ def test_limbs_of_joints_that_branch(tmp_path):
     description.write_text('name = "two_arms"\ntitle = "two arms"\n' + joint.format("z", "waist", 0.5)
                            + joint.format("y", "left", 0.3) + joint.format("x", "right", 0.2) + 'parent = "waist"\n'
                            + tip.format("left", "left") + tip.format("right", "right"))
-    robot = qvgen.load(description, "--only", "kinematics")
+    robot = qvgen.load(description, "--only", "kinematics,jacobian")
     assert robot.joint_names == ["waist", "left", "right"]
     assert list(robot.limbs) == ["left_hand", "right_hand"]
     limb = robot.limbs["right_hand"]
@@ -214,6 +216,13 @@ def test_limbs_of_joints_that_branch(tmp_path):
     np.testing.assert_allclose(limb.forward_kinematics([np.pi / 2, 0.3])[4:], [0, 0.7, 0], atol=1e-14)
     with pytest.raises(AttributeError, match="each limb has it"):
         robot.forward_kinematics
+    left, right = _show._chains(robot, np.array([np.pi / 2, 0, 0.3]))
+    np.testing.assert_allclose(left, [[0, 0, 0], [0, 0, 0], [0, 0.5, 0], [0, 0.8, 0]], atol=1e-14)
+    np.testing.assert_allclose(right[-1], [0, 0.7, 0], atol=1e-14)
+    floating = types.SimpleNamespace(functions={}, joint_names=robot.joint_names, limbs=robot.limbs, velocity_size=9)
+    turn = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]  # a right angle about z
+    moved = _show._chains(floating, np.array([*turn, 1, 2, 3, np.pi / 2, 0, 0.3]))[0]
+    np.testing.assert_allclose(moved, [1, 2, 3] + left @ [[0, 1, 0], [-1, 0, 0], [0, 0, 1]], atol=1e-14)
 
 
 def test_a_base_that_floats(tmp_path):

@@ -49,7 +49,7 @@ def test_functions(ns, arm):
                 positional[0] = "pose"  # the stub's comment: a module says `target` where it takes less too
             assert stubs[name] == (positional, only, defaults), name
             seen.add(name)
-    assert set(stubs) - seen == {"arm_angle", "inverse_kinematics_arm_angle", "paths"}
+    assert set(stubs) - seen == {"arm_angle", "inverse_kinematics_arm_angle", "paths", "plot", "show"}
 
 
 def test_functions_of_the_arm_angle(iiwa14):
@@ -64,6 +64,14 @@ def test_paths(ns):
     assert [each.arg for each in stub.args.args] == ["self", poses.name]
     assert [each.arg for each in stub.args.kwonlyargs] == [each.name for each in only]
     assert [ast.literal_eval(each) for each in stub.args.kw_defaults] == [each.default for each in only]
+
+
+def test_pictures(ns):
+    for name in ("plot", "show"):
+        stub = next(each for each in stub_class("Robot").body if isinstance(each, ast.FunctionDef) and each.name == name)
+        given = inspect.signature(getattr(ns, name), follow_wrapped=False).parameters.values()
+        assert [each.arg for each in [*stub.args.args[1:], *stub.args.kwonlyargs]] == [each.name for each in given]
+        assert getattr(ns, name).__doc__
 
 
 def test_values(arm):

@@ -16,7 +16,7 @@ from ._library import BuildError, cache_folder
 from ._paths import Motion, Paths
 from ._tool import report_of
 
-__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status",
+__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Page", "Paths", "Solutions", "Status",
            "VelocityStatus", "cache_folder", "calibrate", "derivatives", "identify", "interop", "load", "metrics", "orientation", "robots"]
 
 
@@ -90,6 +90,8 @@ class JointRates(typing.NamedTuple):
 def __getattr__(name):
     """Imports qvgen.metrics and the like when they are used: they need NumPy, and whoever builds a wheel may not
     have it."""
+    if name == "Page":
+        return importlib.import_module("._show", __name__).Page
     if name in ("derivatives", "interop", "metrics", "orientation"):
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

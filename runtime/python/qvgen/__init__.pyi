@@ -82,6 +82,9 @@ class Paths(NamedTuple):
     chain: list[tuple[int, float]]
     gaps: list[tuple[float, float]]
 
+class Page:
+    path: pathlib.Path
+
 _Constants = dict[str, float] | None
 _Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
 _RateLimits = Literal["description"] | tuple[ArrayLike, ArrayLike]
@@ -238,6 +241,8 @@ class Robot(Protocol):
         limits: _Limits = "description", times: ArrayLike | None = None, screw: bool = False,
         prefer: ArrayLike | None = None, prove: bool = False,
     ) -> Paths: ...
+    def plot(self, q: ArrayLike, *, axes: Any = None) -> Any: ...  # axes of matplotlib
+    def show(self, *, browser: bool = True) -> Page: ...
     def __getattr__(self, name: str) -> Any: ...
 
 def cache_folder() -> pathlib.Path: ...

@@ -17,7 +17,7 @@ import types
 
 import numpy as np
 
-from . import _functions, _inverse, _loops, _paths
+from . import _functions, _inverse, _loops, _paths, _show
 from ._c_rows import c_name
 from ._call import Call, Constants
 from ._cxx_rows import cxx_rows
@@ -166,16 +166,22 @@ def _module(name, sources, folder):
         values["velocity_size"] = header.numbers["velocity_size"]
     vars(module).update(values, functions=_listed(robot, bound), **bound)
     _explain_absence(module)
-    return module
+    return _show.with_plot(module)
 
 
 def _with_paths(module, sources):
-    """The module with the function that finds motions along paths, for which the tool reads the description."""
+    """The module with the functions for which the tool reads the description: motions along paths, and the page."""
+    source = (sources.description, *sources.options)
+
     @functools.wraps(_paths.paths)
     def paths(poses, **options):
-        return _paths.paths((sources.description, *sources.options), module, poses, **options)
+        return _paths.paths(source, module, poses, **options)
 
-    module.paths = paths
+    @functools.wraps(_show.show)
+    def show(*, browser=True):
+        return _show.show(source, module, browser=browser)
+
+    module.paths, module.show = paths, show
     return module
 
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""A robot's functions in CasADi, JAX and PyTorch, with the exact derivatives of qvgen.derivatives.
+"""A robot's functions in CasADi, JAX and PyTorch, with the exact derivatives of qvgen.derivatives; its configurations in
+Pinocchio and MuJoCo.
 
     f = qvgen.interop.casadi(arm, "forward_dynamics")     # a casadi.Function of q, qd, torque
     f = qvgen.interop.jax(arm, "forward_kinematics")      # takes arrays with any axes in front; jit, grad, vmap
     f = qvgen.interop.torch(arm, "inverse_dynamics")      # likewise; autograd
+    x = qvgen.interop.pinocchio(arm, model).to_configuration(q)      # and back; or mujoco
 
 All compute in float64 on the CPU and give the scalar that they got. First derivatives are exact. Second ones
 are there for CasADi alone, as finite differences of the exact first ones.
@@ -11,9 +13,10 @@ are there for CasADi alone, as finite differences of the exact first ones.
 
 import numpy as np
 
+from ._peers import Conversion, mujoco, pinocchio
 from .derivatives import OF, arguments_of
 
-__all__ = ["casadi", "jax", "torch"]
+__all__ = ["Conversion", "casadi", "jax", "mujoco", "pinocchio", "torch"]
 
 
 def _flat(arm, arrays):
