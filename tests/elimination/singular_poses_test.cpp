@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Poses at which solutions meet, and next to them: how many are lost, and what they cost.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -85,7 +86,26 @@ TEST_P(SingularPoses, BetweenRightAngles) {
     for (double& value : q) value = unit * std::round(value / unit);
     return std::optional(q);
   });
-  EXPECT_LE(result.silent, result.poses / 500);
+  EXPECT_LE(result.silent, result.poses / 1000);
+}
+
+/// Curves of solutions cross in rows of these poses, and the sampled joints are elsewhere on such a curve:
+/// the rows stand for them, and are marked.
+TEST(CrossingCurves, AreMarked) {
+  const Arm arm = crx10ia();
+  const inverse::elimination::Setup setup = inverse::elimination::set_up(arm.description());
+  const double eighth = std::atan(1);
+  for (const std::array<int, 6>& eighths :
+       {std::array{-4, -2, 2, -2, -4, 2}, std::array{4, -2, 2, 2, 4, 0}, std::array{3, 0, -2, -4, 2, 0},
+        std::array{-4, -2, 2, 2, 0, -4}, std::array{4, -2, 2, 2, 0, -4}, std::array{3, 2, 2, 3, 0, -1}}) {
+    Joints6 q;
+    for (int i = 0; i < 6; ++i) q[i] = eighth * eighths[static_cast<std::size_t>(i)];
+    for (const InstructionSet set : instruction_sets) {
+      const auto found = solve(setup, Pose<double>::from_isometry(arm.tool(q)), set);
+      EXPECT_FALSE(found.empty());
+      EXPECT_EQ(found.status, Status::singular);
+    }
+  }
 }
 
 std::vector<Arm> arms() {

@@ -146,14 +146,15 @@ TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
 /// All blocks of inverse kinematics, as files of their own: an error names the template.
 TEST(Blocks, TheTemplatesAreInTheSubset) {
   const std::string sizes = R"(
-enum { dof = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8 };
+enum { dof = 6, whole_dof = 8, first_inner = 1, bounded = 7, turn_count = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8 };
 enum { status_solved, status_singular, status_unreachable, status_invalid, status_incomplete };
 static const bool is_revolute[row_size] = {true, true, true, true, true, true};
+static const bool whole_is_revolute[whole_dof] = {true, true, true, true, true, true, true, true};
 typedef struct Effort {
   int passes, steps, used_up;
 } Effort;
 typedef struct Solution {
-  double q[dof];
+  double q[whole_dof];
   int branch, continuum;
 } Solution;
 typedef struct Solutions {
@@ -161,20 +162,42 @@ typedef struct Solutions {
   Effort effort;
   Solution rows[capacity];
 } Solutions;
+typedef struct Turns {
+  double values[bounded], nearest, away[2];
+  int is_over[2], side, has_one;
+} Turns;
 typedef struct Representatives {
   Solution row;
   const Solutions* solutions;
-  double lower[dof], upper[dof], own[dof];
-  int below[dof], above[dof], number[dof];
-  int next_row;
+  double lower[whole_dof], upper[whole_dof], own[whole_dof];
+  int below[whole_dof], above[whole_dof], number[whole_dof];
+  Turns turns[bounded];
+  int level, next_row;
 } Representatives;
 typedef Solution Row;
 typedef Solutions Rows;
+typedef struct Values {
+  double of[bounded];
+} Values;
+static const int motor_of[bounded] = {0, 1, 2, 3, 4, 5, -1};
+static const double own_lower[bounded] = {-1, -1, -1, -1, -1, -1, -1};
+static const double own_upper[bounded] = {1, 1, 1, 1, 1, 1, 1};
+static const int turn_pivot[7] = {0, 1, 2, 3, 4, 5, 7};
+static const bool turn_ends_block[7] = {true, true, true, true, true, true, true};
+static const double turn_motion[43] = {0};
+static Values values_of(const double* of) {
+  Values values;
+  for (int i = 0; i < bounded; ++i) values.of[i] = i < dof ? of[i] : 0;
+  return values;
+}
+static void motors_by(const double* of, double* motors) {
+  for (int i = 0; i < dof; ++i) motors[i] = of[i];
+}
 )";
   std::vector<File> files{{"sizes", "inverse", false, sizes}};
-  for (const char* name :
-       {"01_branches", "02_angles", "03_roots", "04_wrist", "05_slides", "06_quartic_roots", "07_polish",
-        "08_tracker", "09_poses", "10_quartic", "11_rows", "12_seed", "13_whole_arm", "14_reaching"}) {
+  for (const char* name : {"01_branches", "02_angles", "03_roots", "04_wrist", "05_slides",
+                           "06_quartic_roots", "07_polish", "08_tracker", "09_poses", "10_quartic", "11_rows",
+                           "12_seed", "13_whole_arm", "14_reaching", "15_motors", "16_outer_joints"}) {
     const std::string path = std::string("templates/c/inverse/") + name + ".c";
     std::ifstream file(QVGEN_SOURCE_DIR + std::string("/") + path);
     std::stringstream text;

@@ -10,16 +10,12 @@ metres, and kilograms divided by the largest entry. Without folders all models i
 code is 1 if one differs by more than 1e-9 (1e-7 where masses are those of meshes), and 77 without MuJoCo.
 """
 import argparse
-import importlib.util
-import math
 import pathlib
 import re
-import subprocess
 import sys
-import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from try_files import Run, proposed_options, robot_files  # noqa: E402
+from try_files import robot_files  # noqa: E402
 
 try:
     import mujoco
@@ -28,81 +24,12 @@ except ImportError:
     print("skipped: pip install mujoco numpy")
     sys.exit(77)
 
+from imported import (ALLOWED, Description, base_and_tip, folders_of_packages, frames_of, imported, report, rotation,  # noqa: E402
+                      transform)
+
 PACKAGES = ["mujoco", "dm_control", "mujoco_playground", "gymnasium_robotics", "robosuite"]
-ALLOWED = 1e-9
 # The moments of a mesh are right to 3e-13 in MuJoCo, its principal axes to 1e-7 of them (measured for tetrahedra, 4.0.1).
 ALLOWED_WITH_MESHES = 1e-7
-
-
-def number(entry):
-    """A number or an expression of a description, angles in radians."""
-    if not isinstance(entry, str):
-        return float(entry)
-    text = re.sub(r"([^\s+-][^+-]*?)\s*deg\b", r"(\1)*(pi/180)", entry).replace("^", "**")
-    return float(eval(text, {"__builtins__": {}}, {"pi": math.pi, "sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}))
-
-
-def axis_of(entry):
-    if not isinstance(entry, str):
-        return np.array([number(x) for x in entry])
-    return np.eye(3)["xyz".index(entry[-1])] * (-1 if entry[0] == "-" else 1)
-
-
-def rotation(axis, angle):
-    x, y, z = axis
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
-
-
-def transform(turn, position):
-    result = np.eye(4)
-    result[:3, :3], result[:3, 3] = turn, position
-    return result
-
-
-def frame_of(table, key):
-    turn = np.eye(3)
-    for each in table.get("turns", []):
-        turn = turn @ rotation(axis_of(each["axis"]), number(each["angle"]))
-    return transform(turn, [number(x) for x in table.get(key, [0, 0, 0])])
-
-
-class Description:
-    """A description as qvgen has written it, moved by plain matrices."""
-
-    def __init__(self, text):
-        self.table = tomllib.loads(text)
-        self.joints = self.table["joint"]
-
-    def links(self, values):
-        """Axis (None: a slide's), a point on it, and frame of every link; last the tool's frame."""
-        at = frame_of(self.table.get("base", {}), "translation")
-        result = []
-        for joint, value in zip(self.joints, values):
-            at = at @ frame_of(joint, "origin")
-            axis, point = at[:3, :3] @ axis_of(joint["axis"]), at[:3, 3].copy()
-            turns = joint["type"] == "revolute"
-            local = axis_of(joint["axis"])
-            at = at @ (transform(rotation(local, value), [0, 0, 0]) if turns else transform(np.eye(3), value * local))
-            at = at @ transform(np.eye(3), [number(x) for x in joint.get("link", [0, 0, 0])])
-            result.append((turns, axis, point, at))
-        return result, at @ frame_of(self.table.get("tool", {}), "translation")
-
-    def mass_matrix(self, values):
-        links, _ = self.links(values)
-        total = np.zeros((len(links), len(links)))
-        for i, (joint, (_, _, _, at)) in enumerate(zip(self.joints, links)):
-            if "mass" not in joint:
-                continue
-            centre = at[:3, :3] @ [number(x) for x in joint.get("centre_of_mass", [0, 0, 0])] + at[:3, 3]
-            xx, yy, zz, xy, yz, xz = ([number(x) for x in joint.get("inertia", [0, 0, 0])] + [0, 0, 0])[:6]
-            tensor = at[:3, :3] @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ at[:3, :3].T
-            linear, angular = np.zeros((3, len(links))), np.zeros((3, len(links)))
-            for k, (turns, axis, point, _) in enumerate(links[: i + 1]):
-                linear[:, k] = np.cross(axis, centre - point) if turns else axis
-                angular[:, k] = axis if turns else 0
-            total += number(joint["mass"]) * linear.T @ linear + angular.T @ tensor @ angular
-        return total
 
 
 class Chain:
@@ -198,25 +125,14 @@ class Chain:
         return total
 
 
-def imported(tool, path):
-    """The description, the run, and nothing where qvgen refuses the file."""
-    words = [tool, "import", str(path), "--snap", "off"]
-    run = subprocess.run(words, capture_output=True, text=True, timeout=60)
-    if run.returncode != 0:
-        check = Run([tool, "check", str(path)], 60)
-        run = subprocess.run(words + proposed_options(check), capture_output=True, text=True, timeout=60)
-    return run if run.returncode == 0 else None
-
-
 def compare(tool, path):
     """(largest difference of poses, of masses or None, why nothing was compared)"""
     run = imported(tool, path)
     if run is None:
         return None, None, "refused"
     description = Description(run.stdout)
-    _, base, tip = re.fullmatch(r"(.*), (.*?) to (.*)", description.table["title"]).groups()
     try:
-        chain = Chain(path, base, tip)
+        chain = Chain(path, *base_and_tip(description))
     except (ValueError, LookupError) as error:
         return None, None, "MuJoCo: " + re.sub(r"'.*", "...", str(error).splitlines()[0])
     if chain.count() != len(description.joints) or any("follows" in joint for joint in description.joints):
@@ -230,24 +146,15 @@ def compare(tool, path):
         chain.place(values)
         links, tool_frame = description.links(values)
         poses = max(poses, abs(tool_frame - chain.pose()).max())
-        for frame in description.table.get("frame", []):
-            other = chain.frame(frame["name"])
-            if other is None:
-                continue
-            variables = [joint["variable"] for joint in description.joints]
-            link = links[variables.index(frame["joint"]) if "joint" in frame else -1][3]
-            here = link @ frame_of(frame, "translation")
-            poses = max(poses, abs(here - other).max())
+        for name, here in frames_of(description, links):
+            other = chain.frame(name)
+            if other is not None:
+                poses = max(poses, abs(here - other).max())
         if has_masses and not has_balls:
             own, other = description.mass_matrix(values), chain.mass_matrix()
             gap = abs(own - other).max() / max(1e-9, abs(other).max())
             masses = max(masses, gap * (ALLOWED / ALLOWED_WITH_MESHES if chain.model.nmesh else 1))
     return poses, masses if has_masses and not has_balls else None, ""
-
-
-def folders_of_packages():
-    found = [importlib.util.find_spec(name) for name in PACKAGES]
-    return [pathlib.Path(spec.origin).parent for spec in found if spec is not None and spec.origin]
 
 
 def main():
@@ -256,27 +163,16 @@ def main():
     parser.add_argument("--tool", default="qvgen")
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
-    files = robot_files(options.folders or folders_of_packages(), {".xml", ".mjcf"})
-    with_masses = compared = 0
-    left_out, wrong = {}, []
+    files = robot_files(options.folders or folders_of_packages(PACKAGES), {".xml", ".mjcf"})
+    results = []
     for path in files:
         if b"<mujoco" not in path.read_bytes() or b"<mujocoinclude" in path.read_bytes():
             continue
         poses, masses, reason = compare(options.tool, path)
-        if reason:
-            left_out.setdefault(reason, []).append(path)
-        else:
-            compared += 1
-            with_masses += masses is not None
-            if not max(poses, masses or 0) < ALLOWED:
-                wrong.append(f"{path}: poses differ by {poses:.3g}, masses by {masses or 0:.3g}")
+        results.append((path, max(poses or 0, masses or 0), masses is not None, reason))
         if options.verbose:
             print(f"{path}: {poses} {masses} {reason}", flush=True)
-    print(f"{len(files)} files, {compared} compared with MuJoCo {mujoco.__version__}, {with_masses} of them with masses")
-    for reason, paths in sorted(left_out.items(), key=lambda item: -len(item[1])):
-        print(f"{len(paths):6}  not compared: {reason}  (e.g. {paths[0]})")
-    print("\n".join(wrong))
-    return 1 if wrong else 0
+    return report(f"MuJoCo {mujoco.__version__}", len(files), results)
 
 
 if __name__ == "__main__":

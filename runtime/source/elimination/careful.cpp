@@ -266,6 +266,7 @@ void Careful::run(const Gathered& first) {
     merge();
     agree(first, elimination != nullptr ? &second : nullptr);
   }
+  look_along_crossings();
   const Effort& spent = tracker_.budget().spent;
   effort_.steps = spent.steps + walks_.spent.steps;
   // Regular rows of that number are all that there can be.

@@ -97,6 +97,8 @@ class Careful {
   [[nodiscard]] bool is_on_known_continuum(const Values& values);
   [[nodiscard]] bool are_one(const Row& a, const Row& b);
   void merge();
+  [[nodiscard]] bool goes_on_beside(const Row& row, std::size_t joint, double by);
+  void look_along_crossings();
 
   const Setup& setup_;
   const Pose<double>& pose_;

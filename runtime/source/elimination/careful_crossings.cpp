@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Rows at which curves of solutions cross. Two joints or more are idle there, and to first order nothing says
+// which way leads on; a step far enough from the crossing is on one curve alone, where steps converge.
+#include <qvgen/inverse/continuum.h>
+
+#include "careful.h"
+
+namespace qvgen::inverse::elimination {
+namespace {
+
+using Newton = polishing::Newton<double, joints, 3>;
+
+/// How far an idle joint is moved from a crossing, rad or share of the size.
+constexpr double aside = 0.1;
+/// Joint values this far from the row, squared, are elsewhere: steps have gone astray.
+constexpr double astray = 0.25;
+/// A row this near, squared, is the one that was found.
+constexpr double known = 1e-6;
+
+}  // namespace
+
+/// True if solutions go on where one idle joint of a row is moved by so much; sets `unsure_` where a solution
+/// is there that no row stands for.
+bool Careful::goes_on_beside(const Row& row, std::size_t joint, double by) {
+  Values beside = row.values;
+  Newton(task_).advance(joint, task_.arm[joint].revolute ? by : by * setup_.chain.size, beside);
+  Held<joints> held{};
+  held[joint] = true;
+  Reached<double, joints, 3> there;
+  const double share = std::max(tolerance_, default_tolerance);
+  if (!polish(task_, {share}, beside, there, walks_, held)) return false;
+  if (distance_square(beside, row.values) > astray) return false;
+  const bool is_known = std::any_of(
+      rows_, rows_ + size_, [&](const Row& each) { return distance_square(each.values, beside) < known; });
+  if (is_known) return false;
+  if (Idling<double, joints, 3>(task_, walks_).is_continuum(beside, there)) return true;
+  unsure_ = true;
+  return false;
+}
+
+void Careful::look_along_crossings() {
+  for (int i = 0; i < size_; ++i) {
+    Row& row = rows_[i];
+    if (row.continuum) continue;
+    const auto idle = Newton::idle(Newton(task_).reached(row.values));
+    if (std::count(idle.is.begin(), idle.is.end(), true) < 2) continue;
+    for (std::size_t j = 0; j < joints && !row.continuum; ++j)
+      row.continuum = idle.is[j] && (goes_on_beside(row, j, aside) || goes_on_beside(row, j, -aside));
+  }
+}
+
+}  // namespace qvgen::inverse::elimination
