@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // C read as a tree and printed in other languages: golden texts, and what leaves the subset is refused with
 // its place.
-#include <fstream>
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "emit/blocks/reached.h"
+#include "emit/builtin_templates.h"
 #include "emit/c/single_precision.h"
 #include "emit/javascript/writer.h"
 #include "emit/rust/crate.h"
@@ -171,19 +170,28 @@ typedef struct Representatives {
 typedef Solution Row;
 typedef Solutions Rows;
 )";
-  std::vector<File> files{{"sizes", "inverse", false, sizes}};
-  for (const char* name :
-       {"01_branches", "02_angles", "03_roots", "04_wrist", "05_slides", "06_quartic_roots", "07_polish",
-        "08_tracker", "09_poses", "10_quartic", "11_rows", "12_seed", "13_whole_arm", "14_reaching"}) {
-    const std::string path = std::string("templates/c/inverse/") + name + ".c";
-    std::ifstream file(QVGEN_SOURCE_DIR + std::string("/") + path);
-    std::stringstream text;
-    text << file.rdbuf();
-    files.push_back({path, "inverse", false, emit::c::in_double_precision(text.str())});
-  }
-  const Unit unit = parse("arm", files);
+  const std::string blocks = emit::c::in_double_precision(emit::builtin_templates().at("c/inverse_blocks"));
+  const Unit unit = parse("arm", {{"sizes", "inverse", false, sizes}, {"blocks", "inverse", false, blocks}});
   EXPECT_GT(unit.functions.size(), 200U);
   EXPECT_NO_THROW((void)emit::rust::crate(unit, {}));
+}
+
+/// Calls keep functions, names keep constants, types and enumerators; members and comments keep nothing.
+TEST(Blocks, OnlyWhatPublicFunctionsReachIsLeft) {
+  const std::string head = "/// Needed.\ntypedef struct Pair {\n  double a, spare;  // b\n} Pair;\n";
+  const std::string called = "static double sum(const Pair* p) {\n  return p->a + size * of[one];\n}\n";
+  const std::string kept = "int answer(const Pair* p) {\n  return (int)sum(p);  // not spare(p)\n}\n";
+  const std::string names = "enum { size = 3, other };\n";
+  const std::string constant = "static const double of[2] = {\n    1, 2};\n";
+  const std::string number = "typedef enum Which { one, two } Which;\n";
+  const std::string open = "const double open = 1;\n";
+  EXPECT_EQ(
+      emit::blocks::reached(names + "\n" + head + "\n// Goes.\nstatic int spare(void) { return 1; }\n" +
+                            "static const double b = 2;\n" + constant + number + "typedef int Unused;\n" +
+                            "// Of nothing.\n\n" + called + kept + open),
+      names + "\n" + head + "\n" + constant + "\n" + number + "\n" + called + "\n" + kept + "\n" + open);
+  EXPECT_EQ(emit::blocks::reached("static int a(void) { return 1; }\n"), "");
+  EXPECT_THROW(emit::blocks::reached("int a = 'b';\n"), NotInSubset);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Angles, and pairs of a cosine and a sine: angles.h and arctangent.h of the C++ library.
+
 static const double pi = 3.14159265358979323846;
 
 /// Cosine and sine of an angle; solved angles stay algebraic, the arctangent is taken for the output alone.
@@ -163,7 +165,7 @@ static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, 
 }
 
 /// Below this multiple of what is noise for sure rounding can be seen in a direction.
-static inline bool is_blurred(double square, double noise) { return square <= digits(1e16) * noise; }
+static inline bool is_blurred(double square, double noise) { return square <= tolerance_blurred * noise; }
 
 static const double widest_blur = 64;
 
@@ -173,7 +175,7 @@ static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branc
   const double square = square_of(v);
   const bool is_free = square <= tiny;
   branch->continuum = branch->continuum || (branch->exists && is_free);
-  doubt(branch, square <= digits(1e16) * tiny);
+  doubt(branch, square <= tolerance_blurred * tiny);
   if (is_free) return choice;
   const Rotor unit = scaled(1 / sqrt(square), v);
   return is_blurred(square, tiny) ? turned_to(choice, unit, square, widest_blur * tiny, opposites) : unit;

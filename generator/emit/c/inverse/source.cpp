@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "emit/blocks/reached.h"
 #include "emit/builtin_templates.h"
-#include "emit/c/inverse/chunks.h"
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/tidy.h"
 #include "emit/inverse/arm.h"
@@ -182,10 +182,10 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 Part inverse_kinematics(const model::Robot& robot, const json& given) {
   json values = given;
   add_sizes(robot, values);
-  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
+  const std::string& shared = builtin_templates().at("c/inverse_blocks");
   const std::string source =
-      render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
-  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
+      render("c/solve_sizes.c", values) + "\n" + shared + "\n" + render("c/solve.c", values);
+  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
 
 Part metrics(const model::Robot& robot) {

@@ -72,8 +72,9 @@ class PoseFilter {
   /// Near a singular pose a direction may have but few digits. A pose off by the tolerance, where the
   /// equations have a double root, moves the root by the square root of that.
   [[nodiscard]] double near_enough(const Effort& effort) const {
-    const double few_digits = effort.steps > 0 ? 1e-2 : 1e-4;
-    return std::max(few_digits, std::min(0.3, 30 * std::sqrt(tolerance_)));
+    const double few_digits = effort.steps > 0 ? tolerance::near_enough_singular : tolerance::near_enough;
+    return std::max(few_digits, std::min(tolerance::near_enough_at_most,
+                                         tolerance::near_enough_by_tolerance * std::sqrt(tolerance_)));
   }
 
   void add(const Effort& effort) {
@@ -126,7 +127,7 @@ class PoseFilter {
 
   /// True if a choice has led to where the first one has.
   [[nodiscard]] bool is_start(int branch, const Values& values) {
-    constexpr double same = 1e-6;
+    constexpr double same = tolerance::same_start;
     return distance_square(start_of(branch), values) < same * same;
   }
 

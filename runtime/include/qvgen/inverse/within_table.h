@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/tolerances.h>
+
 /// Numbers of joint limits that rows are compared with. Serves code that may not include Eigen; see within.h.
 namespace qvgen {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands
 /// on its limit to either side. Such a joint is returned on the limit itself.
-inline constexpr double limit_tolerance = 1e-12;
+inline constexpr double limit_tolerance = inverse::tolerance::on_limit;
 
 namespace inverse {
 

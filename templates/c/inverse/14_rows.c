@@ -1,3 +1,5 @@
+// Rows, their order, and their representatives within limits.
+
 /// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's.
 typedef struct Preference {
   double angle[row_size];
@@ -184,7 +186,7 @@ static void sort_by_distance(Solutions* found, const double* seed) {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
 /// limit to either side. Such a joint is put on the limit itself.
-static const double limit_tolerance = digits(1e-12);
+static const double limit_tolerance = tolerance_on_limit;
 
 static inline double between(double lower, double value, double upper) {
   const double raised = value > lower ? value : lower;
@@ -195,7 +197,7 @@ static inline double between(double lower, double value, double upper) {
 /// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
 /// them. A slide has itself.
 static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
-  const double far = range(1e300);
+  const double far = tolerance_farthest_joint;
   if (!(lower <= upper && lower < far && upper > -far)) return false;
   double value = *q;
   if (revolute) {
@@ -242,7 +244,7 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
 static void count_turns(int joint, double q, double lower, double upper, int* below, int* above) {
   const double turn = 6.283185307179586476925;
   const double rounds = 1.5 / DBL_EPSILON;
-  const double most = digits(5e8);
+  const double most = tolerance_most_turns;
   *below = *above = 0;
   if (!is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
   const double low = lower - limit_tolerance, high = upper + limit_tolerance;
