@@ -1,4 +1,4 @@
-// Where joint values carry the points, with the derivatives by each joint.
+// Places to which joint values carry the points, with the derivatives by each joint.
 
 /// Place that joint values reach, with derivatives. Rows: the position; for a whole pose also the orientation, as a
 /// rotation vector times the size.

@@ -185,7 +185,8 @@ Part inverse_kinematics(const model::Robot& robot, const json& given) {
   const std::string& shared = builtin_templates().at("c/inverse_blocks");
   const std::string source =
       render("c/solve_sizes.c", values) + "\n" + shared + "\n" + render("c/solve.c", values);
-  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
+  return {render("c/solutions.h", values),
+          render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
 
 Part metrics(const model::Robot& robot) {
