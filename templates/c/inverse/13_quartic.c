@@ -291,9 +291,9 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
 /// roots of primes are spread evenly. Returns how far the joint whose value is given is to be held from that
 /// value.
 static double displaced(const Pose* pose, double size, int k, Pose* moved) {
-  static const double roots[7] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
-                                  2.6457513110645906, 3.3166247903554,    3.605551275463989,
-                                  4.123105625617661};
+  static const double roots[7] = {constant_root_of_2, constant_root_of_3, constant_root_of_5,
+                                  constant_root_of_7, constant_root_of_11,    constant_root_of_13,
+                                  constant_root_of_17};
   double by[7];
   for (int i = 0; i < 7; ++i) {
     const double multiple = (k + 1) * roots[i];

@@ -53,7 +53,7 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
 /// round. False if there is no budget left.
 static bool go_along_idle(Reaching* kept, int round, JointValues* values, Reached* at) {
   const Matching* task = &kept->task;
-  const double golden_angle = 2.399963229728653;
+  const double golden_angle = constant_golden_angle;
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return true;
   const Reached here = *at;

@@ -135,7 +135,7 @@ class PoseFilter {
   /// another, up to a quarter of a turn away, where nothing says to which side: goes along what is idle,
   /// another way each round. False if there is no budget left.
   bool move_on(int round, Values& values, At& at) {
-    constexpr double golden_angle = 2.399963229728653;
+    constexpr double golden_angle = constant::golden_angle;
     const auto idle = Newton::idle(at);
     if (idle.least == dof) return true;
     const Newton newton(task_);

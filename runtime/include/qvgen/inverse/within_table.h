@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/constants.h>
 #include <qvgen/inverse/tolerances.h>
 
 /// Numbers of joint limits that rows are compared with. Serves code that may not include Eigen; see within.h.
@@ -12,7 +13,7 @@ inline constexpr double limit_tolerance = inverse::tolerance::on_limit;
 
 namespace inverse {
 
-inline constexpr double whole_turn = 6.283185307179586476925;
+using constant::whole_turn;
 
 /// A number for each joint, zeros behind the last.
 template <int size>
