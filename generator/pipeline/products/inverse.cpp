@@ -84,7 +84,6 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
       qvgen::inverse::effort_of_reaching(problem.own_joints, derivation.plan.capacity).steps;
   values["looking_steps"] = qvgen::inverse::effort_of_reaching(problem.own_joints, 1).steps;
   values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
-  values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
   const json& geometry = values["geometry"];
   values["begin_reads_g"] = values["has_frames"].get<bool>() ||
                             std::any_of(geometry.begin(), geometry.end(),
