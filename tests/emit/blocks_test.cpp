@@ -191,7 +191,8 @@ TEST(Blocks, OnlyWhatPublicFunctionsReachIsLeft) {
                             "// Of nothing.\n\n" + called + kept + open),
       names + "\n" + head + "\n" + constant + "\n" + number + "\n" + called + "\n" + kept + "\n" + open);
   EXPECT_EQ(emit::blocks::reached("static int a(void) { return 1; }\n"), "");
-  EXPECT_THROW(emit::blocks::reached("int a = 'b';\n"), NotInSubset);
+  for (const char* wrong : {"int a = 'b';\n", "static int a(void) {\n", "{ int a; }\n", "int a\n"})
+    EXPECT_THROW(emit::blocks::reached(wrong), NotInSubset) << wrong;
 }
 
 }  // namespace

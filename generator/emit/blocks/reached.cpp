@@ -34,13 +34,15 @@ struct Definition {
 };
 
 /// Splits behind a semicolon, and behind a function's body.
-std::vector<Definition> definitions_of(const Tokens& tokens) {
+std::vector<Definition> definitions_of(const File& file) {
   std::vector<Definition> result;
   Definition current;
   int depth = 0;
   bool in_body = false;
-  for (const Token& token : tokens) {
+  for (const Token& token : tokens_of(file)) {
     if (token.kind == Token::Kind::end) break;
+    if (current.tokens.empty() && token.kind != Token::Kind::name)
+      throw error_at(file, token.line, "no definition begins so");
     if (depth == 0 && is(token, "{")) in_body = is(current.tokens.back(), ")");
     depth += is(token, "{") ? 1 : is(token, "}") ? -1 : 0;
     current.tokens.push_back(token);
@@ -49,6 +51,7 @@ std::vector<Definition> definitions_of(const Tokens& tokens) {
     current = {};
     in_body = false;
   }
+  if (!current.tokens.empty()) throw error_at(file, current.tokens.front().line, "a definition has no end");
   return result;
 }
 
@@ -106,7 +109,7 @@ std::vector<Definition> reached_from_public(const std::vector<Definition>& all) 
   return result;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -116,10 +119,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 std::string reached(const std::string& source) {
-  const std::vector<std::string> lines = lines_of(source);
+  const std::vector<std::string> lines = split_lines(source);
   std::string text;
-  for (const Definition& each :
-       reached_from_public(definitions_of(tokens_of({"blocks", "", false, source})))) {
+  for (const Definition& each : reached_from_public(definitions_of({"blocks", "", false, source}))) {
     const Token &first = each.tokens.front(), &last = each.tokens.back();
     if (!text.empty()) text += "\n";
     for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
