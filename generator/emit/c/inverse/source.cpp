@@ -182,9 +182,9 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 Part inverse_kinematics(const model::Robot& robot, const json& given) {
   json values = given;
   add_sizes(robot, values);
-  const std::string& shared = builtin_templates().at("c/inverse_blocks");
+  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
-      render("c/solve_sizes.c", values) + "\n" + shared + "\n" + render("c/solve.c", values);
+      render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
   return {render("c/solutions.h", values),
           render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
