@@ -16,4 +16,7 @@ namespace qvgen::identify {
 Prior prior_of(const model::Robot& robot, const ArmRegressor& arm, const Estimate& estimate,
                std::optional<double> mass);
 
+/// True for each link whose prior is the description's.
+std::vector<bool> described_links(const model::Robot& robot);
+
 }  // namespace qvgen::identify
