@@ -126,7 +126,7 @@ class WithinMotors {
   };
 
   /// A centre beyond which whole turns are lost in rounding is none, nor is what is no number.
-  static double sensible(double centre) { return std::abs(centre) < 1e12 ? centre : 0.0; }
+  static double sensible(double centre) { return std::abs(centre) < tolerance::lost_centre ? centre : 0.0; }
   static constexpr int motor_at(int place) { return Map::motor_of[static_cast<std::size_t>(place)]; }
   static constexpr bool is_motor(int place) { return motor_at(place) >= 0; }
   /// The first value that is settled by a level; those before the first pivot are by level -1.

@@ -24,6 +24,8 @@ inline constexpr double beyond_reach = digits(1e-13);
 inline constexpr double on_limit = digits(1e-12);
 /// Farther than any joint, and small enough to be added.
 inline constexpr double farthest_joint = range(1e300);
+/// A seed so far away has lost the digits of whole turns: it is none.
+inline constexpr double lost_centre = digits(1e12);
 /// More whole turns than this are not counted: a half is still a digit of their angle.
 inline constexpr double most_turns = digits(5e8);
 
