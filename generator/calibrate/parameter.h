@@ -54,7 +54,4 @@ struct Parameter {
 /// Errors that are looked for.
 enum class Errors { zeros, lengths, all };
 
-/// True if the parameter is a frame or surface of the measurement.
-inline bool is_of_arm(const Parameter& each) { return !each.nuisance; }
-
 }  // namespace qvgen::calibrate

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // C read as a tree and printed in other languages: golden texts, and what leaves the subset is refused with
 // its place.
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "emit/blocks/reached.h"
 #include "emit/c/single_precision.h"
 #include "emit/javascript/writer.h"
 #include "emit/rust/crate.h"
@@ -143,6 +147,19 @@ TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   EXPECT_THAT(error_of_blocks("double x;\n"), HasSubstr("a variable outside of functions"));
 }
 
+std::vector<std::filesystem::path> block_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/templates/c/inverse"))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Some number in the place of each that the runtime names.
+std::string with_numbers(const std::string& text) {
+  return std::regex_replace(text, std::regex(R"(\b(tolerance|constant)_[a-z_0-9]+)"), "1.0");
+}
+
 /// All blocks of inverse kinematics, as files of their own: an error names the template.
 TEST(Blocks, TheTemplatesAreInTheSubset) {
   const std::string sizes = R"(
@@ -195,18 +212,35 @@ static void motors_by(const double* of, double* motors) {
 }
 )";
   std::vector<File> files{{"sizes", "inverse", false, sizes}};
-  for (const char* name : {"01_branches", "02_angles", "03_roots", "04_wrist", "05_slides",
-                           "06_quartic_roots", "07_polish", "08_tracker", "09_poses", "10_quartic", "11_rows",
-                           "12_seed", "13_whole_arm", "14_reaching", "15_motors", "16_outer_joints"}) {
-    const std::string path = std::string("templates/c/inverse/") + name + ".c";
-    std::ifstream file(QVGEN_SOURCE_DIR + std::string("/") + path);
+  for (const std::filesystem::path& path : block_files()) {
+    std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
-    files.push_back({path, "inverse", false, emit::c::in_double_precision(text.str())});
+    files.push_back(
+        {path.filename(), "inverse", false, emit::c::in_double_precision(with_numbers(text.str()))});
   }
   const Unit unit = parse("arm", files);
   EXPECT_GT(unit.functions.size(), 200U);
   EXPECT_NO_THROW((void)emit::rust::crate(unit, {}));
+}
+
+/// Calls keep functions, names keep constants, types and enumerators; members and comments keep nothing.
+TEST(Blocks, OnlyWhatPublicFunctionsReachIsLeft) {
+  const std::string head = "/// Needed.\ntypedef struct Pair {\n  double a, spare;  // b\n} Pair;\n";
+  const std::string called = "static double sum(const Pair* p) {\n  return p->a + size * of[one];\n}\n";
+  const std::string kept = "int answer(const Pair* p) {\n  return (int)sum(p);  // not spare(p)\n}\n";
+  const std::string names = "enum { size = 3, other };\n";
+  const std::string constant = "static const double of[2] = {\n    1, 2};\n";
+  const std::string number = "typedef enum Which { one, two } Which;\n";
+  const std::string open = "const double open = 1;\n";
+  EXPECT_EQ(
+      emit::blocks::reached(names + "\n" + head + "\n// Goes.\nstatic int spare(void) { return 1; }\n" +
+                            "static const double b = 2;\n" + constant + number + "typedef int Unused;\n" +
+                            "// Of nothing.\n\n" + called + kept + open),
+      names + "\n" + head + "\n" + constant + "\n" + number + "\n" + called + "\n" + kept + "\n" + open);
+  EXPECT_EQ(emit::blocks::reached("static int a(void) { return 1; }\n"), "");
+  for (const char* wrong : {"int a = 'b';\n", "static int a(void) {\n", "{ int a; }\n", "int a\n"})
+    EXPECT_THROW(emit::blocks::reached(wrong), NotInSubset) << wrong;
 }
 
 }  // namespace

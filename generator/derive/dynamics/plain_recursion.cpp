@@ -1,176 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/plain_recursion.h"
 
-#include <algorithm>
-#include <cstdlib>
-
-#include "derive/dynamics/drive_parameters.h"
 #include "derive/dynamics/exact_vectors.h"
 #include "derive/dynamics/formulation.h"
-#include "derive/dynamics/pseudo_inertia.h"
-#include "derive/dynamics/rotation_sequence.h"
-#include "model/coordinates.h"
 #include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
-namespace {
 
 using exact::Number;
-
-/// Rodrigues' formula, the matrix of the thesis's unit quaternion [cos(angle/2), sin(angle/2) axis] (1.3).
-Matrix rotation(const Vector& axis, const exact::CosineSine& angle) {
-  Matrix result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector e = identity()[k];
-    result[k] =
-        angle.cosine * e + angle.sine * cross(axis, e) + ((Number(1) - angle.cosine) * dot(axis, e)) * axis;
-  }
-  return transpose(result);
-}
-
-}  // namespace
-
-PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, const Move& move)
-    : point_(point),
-      shares_(model::shares(robot)),
-      driven_(model::coordinates(robot)),
-      base_motions_(model::base_motions(robot)) {
-  base_ = frame_of(robot.base);
-  if (robot.floating_base) {
-    base_mass_ = number_of(robot.floating_base->mass);
-    base_centre_ = vector_of(robot.floating_base->centre_of_mass);
-    base_inertia_ = tensor_of(*robot.floating_base);
-  }
-  tool_ = vector_of(robot.tool.translation);
-  for (const model::Joint& joint : robot.joints) {
-    Link link;
-    link.revolute = joint.type == model::JointType::revolute;
-    link.variable = joint.variable;
-    link.parent = model::parent_of(robot, links_.size());
-    link.before = frame_of(joint.before);
-    link.after = frame_of(joint.after);
-    link.axis = vector_of(joint.axis);
-    const bool moved = links_.size() == move.joint;
-    link.motion = {identity(), {}};
-    if (link.revolute) {
-      const exact::CosineSine angle = turn({{{joint.variable, 1}}, 0});
-      link.motion.rotation = rotation(link.axis, moved ? exact::then(angle, move.turn) : angle);
-    } else {
-      const Number length = point.symbol(joint.variable);
-      link.motion.position = (moved ? length + move.length : length) * link.axis;
-    }
-    link.mass = number_of(joint.inertia.mass);
-    link.rotor = number_of(joint.drive.rotor_inertia);
-    link.viscous = number_of(joint.drive.viscous_friction);
-    link.coulomb = number_of(joint.drive.coulomb_friction);
-    // Coulomb friction of joints with several leaders is refused by the readers.
-    const model::Share& share = shares_[links_.size()].front();
-    const std::string& leader = driven_[base_motions_ + share.driven];
-    link.direction = Number(cln::signum(share.ratio)) * point.symbol(direction_of(leader));
-    link.centre = vector_of(joint.inertia.centre_of_mass);
-    link.inertia = tensor_of(joint.inertia);
-    links_.push_back(link);
-  }
-  for (const model::Joint& joint : model::driven_joints(robot)) drives_.push_back(drive_of(robot, joint));
-}
-
-PlainRecursion::Drive PlainRecursion::drive_of(const model::Robot& robot, const model::Joint& driven) const {
-  const auto is_it = [&](const model::Joint& joint) { return joint.variable == driven.variable; };
-  if (std::any_of(robot.joints.begin(), robot.joints.end(), is_it)) return {};
-  return {number_of(driven.drive.rotor_inertia), number_of(driven.drive.viscous_friction),
-          number_of(driven.drive.coulomb_friction), point_.symbol(direction_of(driven.variable))};
-}
-
-Number PlainRecursion::number_of(const model::Expression& expression) const {
-  using Kind = model::Expression::Kind;
-  const auto operand = [&](std::size_t i) { return number_of(expression.operands()[i]); };
-  switch (expression.kind()) {
-    case Kind::number:
-      return Number(expression.number());
-    case Kind::pi:
-      return point_.symbol("pi");
-    case Kind::symbol:
-      return point_.symbol(expression.name());
-    case Kind::negate:
-      return -operand(0);
-    case Kind::quotient:
-      return operand(0) / operand(1);
-    case Kind::root:
-      return point_.root(operand(0));
-    case Kind::sine:
-      return point_.sine(to_angle(expression.operands()[0]));
-    case Kind::cosine:
-      return point_.cosine(to_angle(expression.operands()[0]));
-    default:
-      break;
-  }
-  Number result = expression.kind() == Kind::sum ? 0 : 1;
-  if (expression.kind() == Kind::power) {
-    for (long i = 0; i < std::labs(expression.exponent()); ++i) result = result * operand(0);
-    return expression.exponent() < 0 ? result.inverse() : result;
-  }
-  for (std::size_t i = 0; i < expression.operands().size(); ++i)
-    result = expression.kind() == Kind::sum ? result + operand(i) : result * operand(i);
-  return result;
-}
-
-Vector PlainRecursion::vector_of(const model::Vector3& v) const {
-  return {number_of(v[0]), number_of(v[1]), number_of(v[2])};
-}
-
-PlainRecursion::Matrix PlainRecursion::tensor_of(const model::Inertia& inertia) const {
-  std::array<Number, 6> i;
-  for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(inertia.inertia[k]);
-  return {{{i[0], i[3], i[5]}, {i[3], i[1], i[4]}, {i[5], i[4], i[2]}}};
-}
-
-exact::CosineSine PlainRecursion::turn(const exact::Angle& angle) const {
-  return {point_.cosine(angle), point_.sine(angle)};
-}
-
-PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displacement) const {
-  Frame frame{identity(), vector_of(displacement.translation)};
-  for (const model::Turn& each : displacement.turns)
-    frame.rotation = frame.rotation * rotation(vector_of(each.axis), turn(to_angle(each.angle)));
-  return frame;
-}
-
-void PlainRecursion::take_standard_parameters() {
-  drives_.assign(drives_.size(), {});
-  std::size_t body = 0;
-  if (floats()) take_standard_parameters_of(body++, base_mass_, base_centre_, base_inertia_);
-  for (Link& link : links_) {
-    link.rotor = link.viscous = link.coulomb = 0;
-    take_standard_parameters_of(body++, link.mass, link.centre, link.inertia);
-  }
-}
-
-void PlainRecursion::take_standard_parameters_of(std::size_t body, Number& mass, Vector& centre,
-                                                 Matrix& inertia) const {
-  const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * body + k)); };
-  mass = value(0);
-  centre = mass.inverse() * Vector{value(1), value(2), value(3)};
-  inertia = {
-      {{value(4), value(7), value(9)}, {value(7), value(5), value(8)}, {value(9), value(8), value(6)}}};
-  // Steiner: about the centre of mass.
-  for (std::size_t k = 0; k < 3; ++k)
-    inertia[k] = inertia[k] + (-mass * dot(centre, centre)) * identity()[k] + (mass * centre[k]) * centre;
-}
-
-void PlainRecursion::take_drive_parameters() {
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const auto value = [&](DriveParameter kind) { return point_.symbol(drive_parameter(i, kind)); };
-    links_[i].rotor = value(DriveParameter::rotor_inertia);
-    links_[i].viscous = value(DriveParameter::viscous_friction);
-    links_[i].coulomb = value(DriveParameter::coulomb_friction);
-    links_[i].offset = value(DriveParameter::offset);
-  }
-}
-
-void PlainRecursion::remove_friction() {
-  for (Link& link : links_) link.viscous = link.coulomb = 0;
-  for (Drive& drive : drives_) drive.viscous = drive.coulomb = 0;
-}
 
 PlainRecursion::Values PlainRecursion::rates() const {
   Values values;
@@ -268,64 +105,87 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
   return result;
 }
 
-/// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
-PlainRecursion::Forces PlainRecursion::forces_of_chain(const Moving& base, const Values& rates,
-                                                       const Values& accelerations, const Load& load) const {
+void PlainRecursion::Moving::go_to(const Vector& point) {
+  const Vector lever = point + Number(-1) * origin;
+  a = a + cross(dw, lever) + cross(w, cross(w, lever));
+  origin = point;
+}
+
+/// 5.2-5.5. Leaves the motion behind the joint, at the joint's origin.
+Vector PlainRecursion::go_over_joint(const Link& link, const Number& rate, const Number& acceleration,
+                                     Moving& here) {
+  const Vector joint_origin = here.origin + here.rotation * link.before.position;
+  here.rotation = here.rotation * link.before.rotation;
+  const Vector axis = here.rotation * link.axis;
+  here.go_to(joint_origin);
+  if (link.revolute) {
+    here.dw = here.dw + acceleration * axis + cross(here.w, rate * axis);
+    here.w = here.w + rate * axis;
+  } else {
+    here.go_to(joint_origin + here.rotation * link.motion.position);
+    here.a = here.a + acceleration * axis + Number(2) * cross(here.w, rate * axis);
+  }
+  return axis;
+}
+
+/// Outward, all in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment.
+std::vector<PlainRecursion::Body> PlainRecursion::bodies_of(const Moving& base, const Values& rates,
+                                                            const Values& accelerations) const {
   const std::vector<Frame> frames = link_frames();
-  const std::size_t n = links_.size();
-  std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
-  std::vector<Moving> links(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  std::vector<Moving> links(links_.size());
+  std::vector<Body> bodies(links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     Moving& here = links[i] = link.parent == model::base_link ? base : links[link.parent];
-    auto& [w, dw, v, a, origin, rotation] = here;
-    const auto moved_to = [&here](const Vector& point) {
-      const Vector lever = point + Number(-1) * here.origin;
-      here.a = here.a + cross(here.dw, lever) + cross(here.w, cross(here.w, lever));
-      here.origin = point;
-    };
-    const Vector joint_origin = origin + rotation * link.before.position;
-    rotation = rotation * link.before.rotation;
-    axes[i] = rotation * link.axis;
-    moved_to(joint_origin);
-    if (link.revolute) {
-      dw = dw + accelerations[i] * axes[i] + cross(w, rates[i] * axes[i]);
-      w = w + rates[i] * axes[i];
-    } else {
-      moved_to(joint_origin + rotation * link.motion.position);
-      a = a + accelerations[i] * axes[i] + Number(2) * cross(w, rates[i] * axes[i]);
-    }
-    origins[i] = origin;
-    moved_to(frames[i].position);
-    rotation = frames[i].rotation;
-    const Vector lever = rotation * link.centre;
-    centres[i] = origin + lever;
-    force[i] = link.mass * (a + cross(dw, lever) + cross(w, cross(w, lever)));
-    const Matrix inertia = rotation * link.inertia * transpose(rotation);
-    moment[i] = inertia * dw + cross(w, inertia * w);
+    Body& body = bodies[i];
+    body.axis = go_over_joint(link, rates[i], accelerations[i], here);
+    body.origin = here.origin;
+    here.go_to(frames[i].position);
+    here.rotation = frames[i].rotation;
+    const Vector lever = here.rotation * link.centre;
+    body.centre = here.origin + lever;
+    body.force = link.mass * (here.a + cross(here.dw, lever) + cross(here.w, cross(here.w, lever)));
+    const Matrix inertia = here.rotation * link.inertia * transpose(here.rotation);
+    body.moment = inertia * here.dw + cross(here.w, inertia * here.w);
   }
-  Values torques(n);
-  const Vector tool = frames.back().position + frames.back().rotation * tool_;
-  for (std::size_t i = 0; i < n; ++i) {
-    Vector f = Number(-1) * load.force;
-    Vector m = Number(-1) * load.moment + cross(tool + Number(-1) * origins[i], f);
-    for (std::size_t k = i; k < n; ++k) {
-      if (!carries(i, k)) continue;
-      f = f + force[k];
-      m = m + moment[k] + cross(centres[k] + Number(-1) * origins[i], force[k]);
-    }
-    const Number coulomb = rates[i].is_zero() ? Number(0) : links_[i].coulomb * links_[i].direction;
-    torques[i] = dot(axes[i], links_[i].revolute ? m : f) + links_[i].rotor * accelerations[i] +
-                 links_[i].viscous * rates[i] + coulomb + links_[i].offset;
+  return bodies;
+}
+
+/// 5.10-5.15: what a joint carries, without its drive.
+Number PlainRecursion::carried_by(std::size_t joint, const std::vector<Body>& bodies, const Vector& tool,
+                                  const Load& load) const {
+  const Vector& origin = bodies[joint].origin;
+  Vector f = Number(-1) * load.force;
+  Vector m = Number(-1) * load.moment + cross(tool + Number(-1) * origin, f);
+  for (std::size_t k = joint; k < bodies.size(); ++k) {
+    if (!carries(joint, k)) continue;
+    f = f + bodies[k].force;
+    m = m + bodies[k].moment + cross(bodies[k].centre + Number(-1) * origin, bodies[k].force);
   }
-  Vector f =
+  return dot(bodies[joint].axis, links_[joint].revolute ? m : f);
+}
+
+PlainRecursion::Forces PlainRecursion::forces_of_chain(const Moving& base, const Values& rates,
+                                                       const Values& accelerations, const Load& load) const {
+  const std::vector<Body> bodies = bodies_of(base, rates, accelerations);
+  const Frame last = link_frames().back();
+  const Vector tool = last.position + last.rotation * tool_;
+  Forces result;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Link& link = links_[i];
+    const Number coulomb = rates[i].is_zero() ? Number(0) : link.coulomb * link.direction;
+    result.joints.push_back(carried_by(i, bodies, tool, load) + link.rotor * accelerations[i] +
+                            link.viscous * rates[i] + coulomb + link.offset);
+  }
+  result.force =
       base_mass_ * (base.a + cross(base.dw, base_centre_) + cross(base.w, cross(base.w, base_centre_)));
-  Vector m = base_inertia_ * base.dw + cross(base.w, base_inertia_ * base.w) + cross(base_centre_, f);
-  for (std::size_t k = 0; k < n; ++k) {
-    f = f + force[k];
-    m = m + moment[k] + cross(centres[k], force[k]);
+  result.moment =
+      base_inertia_ * base.dw + cross(base.w, base_inertia_ * base.w) + cross(base_centre_, result.force);
+  for (const Body& body : bodies) {
+    result.force = result.force + body.force;
+    result.moment = result.moment + body.moment + cross(body.centre, body.force);
   }
-  return {f, m, torques};
+  return result;
 }
 
 std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {

@@ -99,6 +99,14 @@ class PlainRecursion {
   struct Moving {
     Vector w, dw, v, a, origin;
     Matrix rotation;
+
+    /// Takes the acceleration to another point of the body, which becomes its origin.
+    void go_to(const Vector& point);
+  };
+  /// A link in the world: axis and origin of its joint, centre of mass, the force that moves it, and the
+  /// moment about that centre.
+  struct Body {
+    Vector axis, origin, centre, force, moment;
   };
   /// Forces of all joints, behind force and moment that a floating base takes.
   struct Forces {
@@ -108,6 +116,11 @@ class PlainRecursion {
 
   void take_standard_parameters_of(std::size_t body, Number& mass, Vector& centre, Matrix& inertia) const;
   [[nodiscard]] Values of_chain(const Values& coordinates) const;
+  static Vector go_over_joint(const Link& link, const Number& rate, const Number& acceleration, Moving& here);
+  [[nodiscard]] std::vector<Body> bodies_of(const Moving& base, const Values& rates,
+                                            const Values& accelerations) const;
+  [[nodiscard]] Number carried_by(std::size_t joint, const std::vector<Body>& bodies, const Vector& tool,
+                                  const Load& load) const;
   [[nodiscard]] Forces forces_of_chain(const Moving& base, const Values& rates, const Values& accelerations,
                                        const Load& load) const;
   /// Returns the base's motion under gravity, at rest if it does not float.

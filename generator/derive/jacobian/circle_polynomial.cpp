@@ -138,59 +138,6 @@ ex CirclePolynomials::in_tangents(const ex& polynomial, std::vector<int>& degree
   return result;
 }
 
-/// The irreducible factors one by one. What the tangents' degrees lack to `degrees` are factors cos(x/2).
-std::vector<CirclePolynomials::Half> CirclePolynomials::split(const ex& factored, std::vector<int> degrees,
-                                                              ex& constant,
-                                                              const std::vector<ex>& variables) const {
-  std::vector<Half> result;
-  const auto varies = [&](const ex& e) {
-    return std::any_of(circles_.begin(), circles_.end(), [&](const Circle& c) { return e.has(c.tangent); }) ||
-           std::any_of(variables.begin(), variables.end(), [&](const ex& v) { return e.has(v); });
-  };
-  const auto add = [&](const ex& base, int times) {
-    Half half{base, {}};
-    for (const Circle& circle : circles_) half.degrees.push_back(base.expand().degree(circle.tangent));
-    for (int i = 0; i < times; ++i) {
-      for (std::size_t k = 0; k < degrees.size(); ++k) degrees[k] -= half.degrees[k];
-      result.push_back(half);
-    }
-  };
-  // Powers of a symbol that GiNaC leaves inside other factors.
-  const auto add_split = [&](ex base, int times) {
-    base = base.expand();
-    std::vector<ex> symbols = variables;
-    for (const Circle& circle : circles_) symbols.push_back(circle.tangent);
-    for (const ex& symbol : symbols) {
-      const int power = base.ldegree(symbol);
-      if (power == 0) continue;
-      add(symbol, power * times);
-      base = (base / pow(symbol, power)).expand();
-    }
-    if (varies(base))
-      add(base, times);
-    else
-      constant *= pow(base, times);
-  };
-  const std::vector<ex> factors = GiNaC::is_a<GiNaC::mul>(factored)
-                                      ? std::vector<ex>(factored.begin(), factored.end())
-                                      : std::vector<ex>{factored};
-  for (const ex& factor : factors) {
-    if (!varies(factor))
-      constant *= factor;
-    else if (GiNaC::is_a<GiNaC::power>(factor))
-      add_split(factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
-    else
-      add_split(factor, 1);
-  }
-  for (std::size_t k = 0; k < degrees.size(); ++k)
-    for (int i = 0; i < degrees[k]; ++i) {
-      Half cosine{1, std::vector<int>(degrees.size(), 0)};
-      cosine.degrees[k] = 1;
-      result.push_back(cosine);
-    }
-  return result;
-}
-
 CirclePolynomials::Half CirclePolynomials::join(const Half& a, const Half& b) const {
   Half result{a.value * b.value, a.degrees};
   for (std::size_t i = 0; i < result.degrees.size(); ++i) result.degrees[i] += b.degrees[i];

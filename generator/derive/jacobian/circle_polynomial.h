@@ -63,7 +63,9 @@ class CirclePolynomials {
   std::pair<GiNaC::ex, GiNaC::ex> cosine_sine(const GiNaC::ex& form);
   int degree(const GiNaC::ex& polynomial, const Circle& circle) const;
   GiNaC::ex in_tangents(const GiNaC::ex& polynomial, std::vector<int>& degrees) const;
-  std::vector<Half> split(const GiNaC::ex& factored, std::vector<int> degrees, GiNaC::ex& constant,
+  struct Splitting;
+  /// Factors of a product in tangents of these degrees; multiplies the constant by what does not vary.
+  std::vector<Half> split(const GiNaC::ex& factored, const std::vector<int>& degrees, GiNaC::ex& constant,
                           const std::vector<GiNaC::ex>& variables) const;
   GiNaC::ex key(const Half& half) const;
   Half join(const Half& a, const Half& b) const;

@@ -158,10 +158,8 @@ std::string lane_arguments(const BatchForm& form) {
 json values(const BatchForm& form) {
   const bool has_gravity = !form.gravity.empty();
   json inputs = json::array();
-  for (const BatchForm::Input& input : form.inputs) {
-    const bool last = &input == &form.inputs.back();
-    inputs.push_back({{"input", input.name}, {"input_rows", input.rows}, {"last_input", last}});
-  }
+  for (const BatchForm::Input& input : form.inputs)
+    inputs.push_back({{"input", input.name}, {"input_rows", input.rows}});
   json members = json::array();
   for (const std::string& member : form.members) members.push_back({{"member", "." + member}});
   if (members.empty()) members.push_back({{"member", ""}});

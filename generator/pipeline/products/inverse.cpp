@@ -2,9 +2,7 @@
 #include "pipeline/products/inverse.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <fmt/format.h>
 #include <qvgen/inverse/budget.h>
 
 #include "emit/c/inverse/source.h"
@@ -30,6 +28,7 @@
 #include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
+#include "pipeline/products/inverse_work.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -47,42 +46,6 @@ std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
     if (!plan.plan.steps[i].unknown.empty() && !plan.plan.steps[i].is<derive::inverse::kind::Half>())
       lines.push_back("- " + emit::step_comment(plan, i).front());
   return lines;
-}
-
-/// None for a wrist alone.
-std::size_t polished_joints(const derive::inverse::Plan& plan) {
-  for (const auto& step : plan.steps)
-    if (const auto* newton = step.as<derive::inverse::kind::Newton>()) return newton->variables.size();
-  return 0;
-}
-
-/// Branches up to where the joints are polished: all but those of a wrist that ends the plan.
-int polished_branches(const derive::inverse::Plan& plan) {
-  int branches = plan.capacity;
-  for (const auto& step : plan.steps)
-    if (step.ends_plan()) branches /= step.branches;
-  return branches;
-}
-
-/// Instructions that such an effort takes at most, x86-64 with AVX2, in thousands: a pass over a branch up to
-/// 2,000, an evaluation of the Jacobian with the least squares and all else that is done with it up to 1,500,
-/// or 3,500 where more than three joints are polished. `./qvgen instructions "singular poses"` counts them.
-int thousands_of_instructions(const qvgen::inverse::Budget& budget, std::size_t joints, int branches) {
-  const int of_pass = 2 * branches;
-  const double of_step = joints > 3 ? 3.5 : 1.5;
-  return budget.passes * of_pass + static_cast<int>(std::ceil(budget.steps * of_step));
-}
-
-/// With commas.
-std::string thousands_text(int thousands) {
-  if (thousands < 1000) return fmt::format("{},000", thousands);
-  return fmt::format("{},{:03},000", thousands / 1000, thousands % 1000);
-}
-
-json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int branches) {
-  return {{"passes", budget.passes},
-          {"steps", budget.steps},
-          {"instructions", thousands_text(thousands_of_instructions(budget, joints, branches))}};
 }
 
 /// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
@@ -121,7 +84,6 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
       qvgen::inverse::effort_of_reaching(problem.own_joints, derivation.plan.capacity).steps;
   values["looking_steps"] = qvgen::inverse::effort_of_reaching(problem.own_joints, 1).steps;
   values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
-  values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
   const json& geometry = values["geometry"];
   values["begin_reads_g"] = values["has_frames"].get<bool>() ||
                             std::any_of(geometry.begin(), geometry.end(),
@@ -129,78 +91,71 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
   emit::c::add_entries(described, derivation, values);
 }
 
-qvgen::inverse::Budget most_effort(const derive::inverse::Plan& plan, int joints, int branches) {
-  if (plan.searches_nearby()) return qvgen::inverse::most_effort_with_quartic(branches);
-  if (plan.follows_for_few_angles()) return qvgen::inverse::most_effort_for_few_angles(joints, branches);
-  return qvgen::inverse::most_effort(joints, branches);
+/// The passes over all branches, and over the one next to a seed.
+json pass_values(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
+                 const emit::ast::Printer& printer) {
+  const auto lines = [&](emit::Pass pass) {
+    const std::vector<std::string> first, careful{"t", "goal", "tracker", "found"};
+    return emit::lines_of(
+        printer.body(pass == emit::Pass::first ? first : careful, emit::every_branch(plan, pass)));
+  };
+  const bool in_lanes = emit::has_lanes(plan);
+  return {{"seed_branch", seed_branch(problem, plan, printer)},
+          {"first_pass", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
+          {"careful_pass", lines(emit::Pass::careful)},
+          {"has_lanes", in_lanes ? "true" : "false"},
+          {"chooses_in_lanes", in_lanes && !problem.has_phases()},
+          {"lanes", in_lanes ? json{{"lines", lane_lines(plan)}} : json(false)}};
+}
+
+/// The steps, what they read of the target, and what they leave for each other.
+json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
+                 const emit::ast::Printer& printer) {
+  const json divisors = emit::divisor_values(robot, plan);
+  return {{"target_fields", fields_of(plan.plan.target_kept)},
+          {"work_fields", fields_of(emit::work_fields(plan))},
+          {"target", emit::target_values(robot, plan, printer)},
+          {"range_test", emit::range_test_values(robot, plan, printer)},
+          {"steps", emit::step_values(robot, plan, printer)},
+          {"divisors", divisors},
+          {"divides", !divisors.empty()}};
+}
+
+/// The kind of plan, and what comments say of it. The plan is certified, or an exception thrown.
+json plan_values(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan) {
+  const derive::inverse::Plan& derived = plan.plan;
+  const std::string farthest = reach(problem);
+  return {{"elimination", false},
+          {"near_points", problem.task == model::Task::position ? 1 : 3},
+          {"quartic", derived.searches_nearby()},
+          {"stable_branches", derived.quartic() ? "false" : "true"},
+          {"counts_roots", derived.quartic()},
+          {"reach", farthest.empty() ? "1e50" : farthest},
+          {"has_reach", !farthest.empty()},
+          {"capacity", derived.capacity},
+          {"structure", derived.structure},
+          {"summary", emit::lines_of(summary(plan))},
+          {"certificate", verify::certify_inverse(problem, plan, certificate_poses).text()}};
 }
 
 /// `described` has the names of the description, the problem its own.
 json variant(const model::Robot& described, const derive::inverse::Derivation& derivation, Language language,
              nlohmann::ordered_json& all_counts) {
   const derive::inverse::Problem& problem = derivation.problem;
-  const model::Robot& robot = problem.robot;
-  const std::string farthest = reach(problem);
-  const derive::inverse::Plan& derived = derivation.plan;
-  const derive::inverse::LoweredPlan plan = lower(derived);
-  const verify::InverseCertificate certificate = verify::certify_inverse(problem, plan, certificate_poses);
-  const bool lanes = emit::has_lanes(plan);
+  const derive::inverse::LoweredPlan plan = lower(derivation.plan);
   const std::string given = given_variable(described, problem);
   json values = variant_names(described, problem);
+  values.update(plan_values(problem, plan));
   const emit::c::Printer in_c(values["space"].get<std::string>() + "_");
   const emit::ast::Printer& printer = language == Language::c ? in_c : emit::cpp();
-  const json geometry = geometry_values(problem, given, printer);
   if (const auto counts = verify::inverse_counts(plan); !counts.empty())
     all_counts[values["function"].get<std::string>()] = counts;
-  // A tracker of branches is there for a wrist alone too.
-  const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
-  const int branches = polished_branches(derived);
-  const qvgen::inverse::Budget most = most_effort(derived, static_cast<int>(joints), branches);
-  const json divisors = emit::divisor_values(robot, plan);
-  const auto pass_lines = [&](emit::Pass pass) {
-    const std::vector<std::string> first, careful{"t", "goal", "tracker", "found"};
-    return emit::lines_of(
-        printer.body(pass == emit::Pass::first ? first : careful, emit::every_branch(plan, pass)));
-  };
-  const json near = seed_branch(problem, plan, printer);
-  values.update(
-      json{{"elimination", false},
-           {"seed_branch", near},
-           {"polishes_whole_arm", polished_joints(derived) == robot.joints.size()},
-           {"near_points", problem.task == model::Task::position ? 1 : 3},
-           {"quartic", derived.searches_nearby()},
-           {"stable_branches", derived.quartic() ? "false" : "true"},
-           {"counts_roots", derived.quartic()},
-           {"reach", farthest.empty() ? "1e50" : farthest},
-           {"has_reach", !farthest.empty()},
-           {"capacity", derived.capacity},
-           {"structure", derived.structure},
-           {"summary", emit::lines_of(summary(plan))},
-           {"certificate", certificate.text()},
-           {"target_fields", fields_of(derived.target_kept)},
-           {"work_fields", fields_of(emit::work_fields(plan))},
-           {"target", emit::target_values(robot, plan, printer)},
-           {"range_test", emit::range_test_values(robot, plan, printer)},
-           {"steps", emit::step_values(robot, plan, printer)},
-           {"divisors", divisors},
-           {"divides", !divisors.empty()},
-           {"has_geometry", !geometry.empty()},
-           {"has_definitions", !robot.definitions.empty()},
-           {"geometry", geometry},
-           {"first_pass", derived.quartic() ? json(false) : json{{"lines", pass_lines(emit::Pass::first)}}},
-           {"polished_joints", std::to_string(joints)},
-           {"polished_branches", std::to_string(branches)},
-           {"tries_more", derived.follows_for_few_angles()},
-           {"most_passes", most.passes},
-           {"most_steps", most.steps},
-           {"most_of_rows", effort_values(most, joints, branches)},
-           {"most_of_reaching",
-            effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most),
-                          robot.joints.size(), branches)},
-           {"careful_pass", pass_lines(emit::Pass::careful)},
-           {"has_lanes", lanes ? "true" : "false"},
-           {"chooses_in_lanes", lanes && !problem.has_phases()},
-           {"lanes", lanes ? json{{"lines", lane_lines(plan)}} : json(false)}});
+  values.update(step_values(problem.robot, plan, printer));
+  values.update(pass_values(problem, plan, printer));
+  values.update(work_values(problem, derivation.plan));
+  values["geometry"] = geometry_values(problem, given, printer);
+  values["has_geometry"] = !values["geometry"].empty();
+  values["has_definitions"] = !problem.robot.definitions.empty();
   add_change_of_arm(problem, given, printer, values);
   if (language == Language::c)
     add_values_in_c(described, derivation, values);

@@ -4,7 +4,6 @@
 #include <qvgen/inverse/nearby.h>
 
 #include "goal.h"
-#include "near_structure.h"
 
 namespace qvgen::inverse::elimination {
 namespace {
@@ -105,18 +104,6 @@ const Elimination* Careful::next_elimination() {
 void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const {
   pass_.eliminate(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
 }
-
-namespace {
-
-/// On the other side of a pose.
-Pose<double> mirrored(const Pose<double>& middle, const Pose<double>& pose) {
-  Pose<double> result;
-  result.position = 2 * middle.position - pose.position;
-  result.orientation = (middle.orientation * pose.orientation.conjugate() * middle.orientation).normalized();
-  return result;
-}
-
-}  // namespace
 
 Pose<double> Careful::nearby(int k) const { return displaced(pose_, farther * setup_.chain.size, k).pose; }
 
@@ -295,63 +282,6 @@ Careful::Outcome Careful::pass_nearby(const Elimination& elimination, const Pose
   const bool all_seen =
       std::all_of(rows_, rows_ + size_, [this](const Row& row) { return row.seen || is_singular(row); });
   return {size_ == before, leaves_doubt(found) || !all_seen, found.loud};
-}
-
-void Careful::agree(const Gathered& first, const Gathered* second) {
-  // Two eliminations may lose the same solutions.
-  const bool few = setup_.count + setup_.further.count < 3;
-  // All eliminations of an arm that slides may lose the same ones between right angles, and those of a nearly
-  // spherical wrist next to its singularity: one has to be without doubt, and poses nearby are asked of each
-  // in turn.
-  const bool strict =
-      std::any_of(setup_.chain.slides, setup_.chain.slides + joints, [](bool is) { return is; }) ||
-      nearly_has_structure(setup_.description, setup_.chain.size);
-  bool all_loud = first.loud, agreed = false, more_nearby = true;
-  int k = 0, clear = 0;
-  // Poses near one at which solutions meet have others on each side.
-  const auto is_clear = [&] { return !strict || clear >= (any_is_singular() ? 3 : 1); };
-  const auto look_at = [&](const Pose<double>& pose) {
-    const Outcome near = pass_nearby(setup_.eliminations[strict ? k % setup_.count : 0], pose);
-    more_nearby = !near.same;
-    const bool without_doubt = near.same && !near.doubtful;
-    clear += without_doubt && size_ > 0 ? 1 : 0;
-    return without_doubt;
-  };
-  const auto look_nearby = [&] {
-    const Pose<double> pose = nearby(k++);
-    return look_at(pose);
-  };
-  const auto is_enough = [&](const Gathered& found) {
-    const Outcome here = settle_here(found);
-    all_loud = all_loud && here.loud;
-    agreed = here.same;
-    if (!agreed) more_nearby = true;
-    if (!agreed || !is_even()) return false;
-    if (!here.doubtful) more_nearby = false;
-    clear += here.doubtful ? 0 : 3;
-    if (!more_nearby) return true;
-    // No elimination is without doubts where solutions meet, but one at a pose nearby is.
-    if (all_loud || few || k == most_nearby) return false;
-    // Two that meet are apart on one side and gone on the other.
-    const Pose<double> opposite = mirrored(pose_, nearby(k));
-    if (!look_nearby()) return false;
-    return look_at(opposite);
-  };
-  bool enough = second != nullptr && is_enough(*second);
-  while (!enough) {
-    const Elimination* elimination = next_elimination();
-    if (elimination == nullptr) break;
-    Gathered found;
-    look_here(*elimination, found);
-    enough = is_enough(found);
-  }
-  while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || !is_clear() || (few && k < 3))) {
-    look_nearby();
-    agreed = few ? !more_nearby : agreed || !more_nearby;
-  }
-  // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
-  // must have been three.
-  unsure_ = !agreed || all_loud || !is_clear() || !is_even() || (few && any_is_singular());
 }
 
 }  // namespace qvgen::inverse::elimination

@@ -67,6 +67,7 @@ class Careful {
   using Tracker = BranchTracker<double, joints, most_starts>;
 
   struct Agreement;
+  struct Consensus;
   /// Result of a pass.
   struct Outcome {
     bool same;  ///< it has added no row

@@ -1,5 +1,6 @@
 // State of a branch, and how equations treat the ends of their ranges: branch.h, boundary.h and target.h of the C++
-// library say more of each. `digits` marks bounds of rounding, which are wider in float: single_precision.h.
+// library say more of each. Each tolerance_NAME is the number of that name in tolerances.h; bounds of rounding are wider in
+// float: single_precision.h.
 
 typedef struct Branch {
   bool exists;     // false: no such solution
@@ -15,13 +16,13 @@ typedef struct Boundary {
   bool wide, choose, take, opposite;
 } Boundary;
 
-static const Boundary boundary_of_nothing = {0, 0, 0, digits(1e-7), 0, digits(1e18), 64, 0, 0, true, false, false, false};
+static const Boundary boundary_of_nothing = {0, 0, 0, tolerance_end_inside, 0, tolerance_nearly_free, tolerance_gap, 0, 0, true, false, false, false};
 
 /// Boundary of regular poses.
 static Boundary plain_boundary(double tolerance) {
   Boundary b = boundary_of_nothing;
-  b.doubt = digits(1e-7) + 100 * tolerance;
-  b.beyond = digits(1e-10) + 100 * tolerance;
+  b.doubt = tolerance_end_inside + tolerance_range_per_size * tolerance;
+  b.beyond = tolerance_end_outside + tolerance_range_per_size * tolerance;
   b.miss = tolerance;
   b.fold = tolerance;
   return b;
@@ -30,15 +31,15 @@ static Boundary plain_boundary(double tolerance) {
 /// From the ends of the ranges, taking no miss but rounding.
 static Boundary careful_boundary(double tolerance) {
   Boundary b = boundary_of_nothing;
-  b.accept = 1e-3 + 100 * tolerance;
-  b.gap = digits(64e14);
-  b.fold = tolerance > digits(5e-13) ? tolerance : digits(5e-13);
+  b.accept = tolerance_end_careful + tolerance_range_per_size * tolerance;
+  b.gap = tolerance_gap_careful;
+  b.fold = tolerance > tolerance_least_fold ? tolerance : tolerance_least_fold;
   return b;
 }
 
 static Boundary ends_boundary(double tolerance) {
   Boundary b = careful_boundary(tolerance);
-  b.unsure = digits(1e-7) + 100 * tolerance;
+  b.unsure = tolerance_end_inside + tolerance_range_per_size * tolerance;
   b.wide = false;
   b.miss = tolerance;
   return b;
@@ -60,8 +61,8 @@ static Boundary in_other_range(Boundary b) {
 /// Pass `choosing` for a choice that leaves the joints after it out of reach.
 static Boundary stretched_boundary(double tolerance) {
   Boundary b = chosen_boundary(tolerance);
-  b.accept = 1e3;
-  b.gap = digits(1e40);
+  b.accept = tolerance_end_anywhere;
+  b.gap = tolerance_gap_anything;
   return b;
 }
 
@@ -76,7 +77,7 @@ static Boundary choosing_boundary(double tolerance) {
 
 static Boundary reaching_boundary(double tolerance) {
   Boundary b = choosing_boundary(tolerance);
-  b.accept = 1e3;
+  b.accept = tolerance_end_anywhere;
   return b;
 }
 
@@ -88,7 +89,7 @@ static Boundary taking_boundary(double tolerance) {
 
 static Boundary apart_boundary(double tolerance) {
   Boundary b = choosing_boundary(tolerance);
-  b.floor = digits(1e-10);
+  b.floor = tolerance_end_apart;
   return b;
 }
 

@@ -1,4 +1,6 @@
-static const double pi = 3.14159265358979323846;
+// Angles, and pairs of a cosine and a sine: angles.h and arctangent.h of the C++ library.
+
+static const double pi = constant_pi;
 
 /// Cosine and sine of an angle; solved angles stay algebraic, the arctangent is taken for the output alone.
 typedef struct Rotor {
@@ -31,14 +33,14 @@ static Rotor turned_by(Rotor u, double angle) {
 static inline double arctangent_series(double z) {
   const double z2 = z * z;
   const double z4 = z2 * z2;
-  const double c01 = -0x1.55555555554d3p-2 + z * 0x1.999999998721ap-3;
-  const double c23 = -0x1.2492491d4e0a2p-3 + z * 0x1.c71c6eeb5ad85p-4;
-  const double c45 = -0x1.745cc35dc5ea5p-4 + z * 0x1.3b0d9caeb1e12p-4;
-  const double c67 = -0x1.10c699c0d341ap-4 + z * 0x1.dd1589af82d9ep-5;
-  const double c89 = -0x1.947d0a96686b7p-5 + z * 0x1.23ffc268de3f2p-5;
+  const double c01 = constant_arctangent_0 + z * constant_arctangent_1;
+  const double c23 = constant_arctangent_2 + z * constant_arctangent_3;
+  const double c45 = constant_arctangent_4 + z * constant_arctangent_5;
+  const double c67 = constant_arctangent_6 + z * constant_arctangent_7;
+  const double c89 = constant_arctangent_8 + z * constant_arctangent_9;
   const double low = c01 + z2 * c23;
   const double middle = c45 + z2 * c67;
-  const double high = c89 + z2 * -0x1.f962b3a8b22c7p-7;
+  const double high = c89 + z2 * constant_arctangent_10;
   return low + z4 * (middle + z4 * high);
 }
 
@@ -58,7 +60,7 @@ static Octant octant(double height, double width) {
   const bool near_diagonal = low > 0.45 * high;
   found.rise = near_diagonal ? low - high : low;
   found.run = larger(near_diagonal ? high + low : high, DBL_MIN);
-  found.base = near_diagonal ? 0x1.921fb54442d18p-1 : found.steep ? 0x1.921fb54442d18p+0 : 0.0;
+  found.base = near_diagonal ? constant_eighth_turn : found.steep ? constant_quarter_turn : 0.0;
   return found;
 }
 
@@ -67,7 +69,7 @@ static Octant octant(double height, double width) {
 static inline double turned_by_arctangent(double base, double t) {
   const double z = t * t;
   const double sum = base + t;
-  const double beyond = (0x1.1a62633145c07p-54 / 0x1.921fb54442d18p+0) * base;
+  const double beyond = (constant_beyond_quarter_turn / constant_quarter_turn) * base;
   const double rest = ((base - sum) + t) + beyond;
   return sum + (rest + t * z * arctangent_series(z));
 }
@@ -82,7 +84,7 @@ static double acute_arctangent(double y, double x) {
 static double arctangent(double y, double x) {
   const Octant found = octant(fabs(y), fabs(x));
   const bool back = x < 0;
-  const double base = back ? 0x1.921fb54442d18p+1 - found.base : found.base;
+  const double base = back ? constant_half_turn - found.base : found.base;
   const double rise = negated(back != found.steep, found.rise);
   return with_sign(turned_by_arctangent(base, rise / found.run), y);
 }
@@ -93,11 +95,11 @@ static inline double angle_of(Rotor r) { return arctangent(r.sine, r.cosine); }
 static inline double short_series(double z) {
   const double z2 = z * z;
   const double z4 = z2 * z2;
-  const double c01 = -0x1.5555555555317p-2 + z * 0x1.9999999949573p-3;
-  const double c23 = -0x1.2492490573282p-3 + z * 0x1.c71c65cc4b9efp-4;
-  const double c45 = -0x1.745bc2e136756p-4 + z * 0x1.3afc30ebd6b1bp-4;
-  const double c67 = -0x1.100504f5a18b1p-4 + z * 0x1.d252ee2a38bc9p-5;
-  const double c89 = -0x1.65109d731968bp-5 + z * 0x1.5c382b132ec64p-6;
+  const double c01 = constant_short_arctangent_0 + z * constant_short_arctangent_1;
+  const double c23 = constant_short_arctangent_2 + z * constant_short_arctangent_3;
+  const double c45 = constant_short_arctangent_4 + z * constant_short_arctangent_5;
+  const double c67 = constant_short_arctangent_6 + z * constant_short_arctangent_7;
+  const double c89 = constant_short_arctangent_8 + z * constant_short_arctangent_9;
   return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
 }
 
@@ -111,7 +113,7 @@ static inline Tangent tangent(double y, double x, double length) {
   const double height = fabs(y);
   const double width = fabs(x);
   const double steep = width - height;  // by its sign
-  const double axis = signbit(steep) ? 0x1.921fb54442d18p+0 : signbit(x) ? 0x1.921fb54442d18p+1 : 0.0;
+  const double axis = signbit(steep) ? constant_quarter_turn : signbit(x) ? constant_half_turn : 0.0;
   const double t = smaller(height, width) / (length + larger(height, width));
   const double z = t * t;
   Tangent found;
@@ -163,7 +165,7 @@ static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, 
 }
 
 /// Below this multiple of what is noise for sure rounding can be seen in a direction.
-static inline bool is_blurred(double square, double noise) { return square <= digits(1e16) * noise; }
+static inline bool is_blurred(double square, double noise) { return square <= tolerance_blurred * noise; }
 
 static const double widest_blur = 64;
 
@@ -173,7 +175,7 @@ static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branc
   const double square = square_of(v);
   const bool is_free = square <= tiny;
   branch->continuum = branch->continuum || (branch->exists && is_free);
-  doubt(branch, square <= digits(1e16) * tiny);
+  doubt(branch, square <= tolerance_blurred * tiny);
   if (is_free) return choice;
   const Rotor unit = scaled(1 / sqrt(square), v);
   return is_blurred(square, tiny) ? turned_to(choice, unit, square, widest_blur * tiny, opposites) : unit;
@@ -240,7 +242,7 @@ static inline double opposite(double angle) {
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
 static inline double without_turns(double difference) {
-  const double turn = 6.283185307179586476925;
+  const double turn = constant_whole_turn;
   const double rounds = 1.5 / DBL_EPSILON;
   return difference - turn * ((difference * (1 / turn) + rounds) - rounds);
 }

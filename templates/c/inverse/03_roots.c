@@ -1,3 +1,5 @@
+// Angles of one equation, and what ends of ranges and free directions do: roots.h of the C++ library.
+
 /// A boundary in the units of an equation's range, what is outside negative.
 typedef struct Limits {
   double doubt, beyond, accept, unsure;
@@ -50,7 +52,7 @@ static inline Rotor circle_angle(double low, double high, double scale, double s
 static inline bool nearly_free(double square, double low, double high, double tiny,
                                const Boundary* boundary) {
   const double end = smaller(fabs(low), fabs(high));
-  return square <= boundary->near * tiny || end * end <= digits(1e8) * tiny;
+  return square <= boundary->near * tiny || end * end <= tolerance_magnified_end * tiny;
 }
 
 /// The angle +-phi from a direction that the pose gives, low and high as for `circle_angle`. Where the
@@ -121,7 +123,7 @@ static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double
 /// free.
 static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, Branch* branch) {
   const double noise = 16 * DBL_EPSILON;
-  const double little = digits(1e-20);
+  const double little = tolerance_product_at_double_root;
   doubt(branch, square_of(v) <= little);
   return direction(false, v, boundary->choose ? little : noise * noise * noise * noise, choice, branch);
 }
@@ -129,7 +131,7 @@ static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, B
 /// Noise in v, a product of two vectors that vanish together where an equation before has a double root; `tiny`: the
 /// fourth power of what is noise for sure.
 static inline double tiny_at_double_root(Rotor v, double tiny, const Boundary* boundary, Branch* branch) {
-  const double little = digits(6.3e37) * tiny;
+  const double little = tolerance_noise_at_double_root * tiny;
   doubt(branch, square_of(v) <= little);
   return boundary->choose ? little : tiny;
 }

@@ -1,3 +1,5 @@
+// The three angles of a wrist: wrist.h of the C++ library.
+
 /// The three angles of a spherical wrist.
 typedef struct WristAngles {
   double first, middle, last;
@@ -8,9 +10,6 @@ static const double wrist_noise = 18 * DBL_EPSILON;
 
 /// Largest noise of a wrist behind an ill-conditioned arm, as a multiple of its square.
 static const double widest_wrist_noise = 1024;
-
-/// The multiple of the square of that share below which an argument, if not noise, may be turned far by it.
-static const double nearly_free_noise = digits(1e18);
 
 /// Which of two complex numbers, given by their squares, is noise next to the other.
 typedef struct Vanishing {
@@ -32,7 +31,7 @@ static Vanishing vanishing_before_joints(double u_square, double v_square, const
                                          Branch* branch) {
   Vanishing is_free = vanishing(u_square, v_square);
   const double little = boundary->near * is_free.noise;
-  const double choosable = branch->unsure || boundary->wide ? digits(1e14) : digits(1e5);
+  const double choosable = branch->unsure || boundary->wide ? tolerance_choosable_behind_double_root : tolerance_choosable;
   const double doubtful = boundary->wide ? little : choosable * is_free.noise;
   branch->unsure = branch->unsure || u_square <= little || v_square <= little;
   doubt(branch, u_square <= doubtful || v_square <= doubtful);
@@ -111,7 +110,7 @@ static WristBranches right_wrist(Rotor u, Rotor v, bool swapped, double seed, Br
   const WristBranches regular = wrist_branches(first, middle, last);
   const Vanishing is_free = vanishing(u_square, v_square);
   const double least = smaller(u_square, v_square);
-  branch->unsure = branch->unsure || least <= nearly_free_noise * is_free.noise;
+  branch->unsure = branch->unsure || least <= tolerance_nearly_free * is_free.noise;
   if (!is_blurred(least, is_free.noise)) return regular;
   branch->continuum = branch->continuum || (branch->exists && least <= widest_wrist_noise * is_free.noise);
   const double turn = turn_to_choice(regular.one.first, seed, least, is_free.noise);
@@ -196,7 +195,7 @@ static void arguments(Rotor u, Rotor v, double u_square, double v_square, Vanish
   *u_argument = is_free.u ? first - v_angle : u_angle;
   *v_argument = is_free.v ? first - u_angle : v_angle;
   const double least = smaller(u_square, v_square);
-  branch->unsure = branch->unsure || least <= nearly_free_noise * is_free.noise;
+  branch->unsure = branch->unsure || least <= tolerance_nearly_free * is_free.noise;
   if (!is_blurred(least, is_free.noise)) return;
   const double turn =
       is_free.u || is_free.v ? 0 : turn_to_choice(wrapped(u_angle + v_angle), first, least, is_free.noise);

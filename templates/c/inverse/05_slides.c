@@ -1,13 +1,15 @@
+// Lengths of slides: slides.h of the C++ library.
+
 /// A part of a unit vector whose square is below this has no direction.
 static inline double blind_square(const Boundary* boundary) {
-  const double noise = 64 * DBL_EPSILON;
-  return boundary->choose ? digits(1e-20) : noise * noise;
+  const double noise = tolerance_noise * DBL_EPSILON;
+  return boundary->choose ? tolerance_product_at_double_root : noise * noise;
 }
 
 /// A part of a unit vector of the given square may cost digits that matter.
 static inline void doubt_digits(double square, const Boundary* boundary, Branch* branch) {
-  doubt(branch, square <= (boundary->doubt > 0 ? 1e-4 : digits(1e-20)));
-  branch->unsure = branch->unsure || square <= 1e-4;
+  doubt(branch, square <= (boundary->doubt > 0 ? tolerance_two_digits : tolerance_product_at_double_root));
+  branch->unsure = branch->unsure || square <= tolerance_two_digits;
 }
 
 /// Chord of the line point + t along in a circle about the origin: t = foot +- half, half = 0 if it does not.
@@ -61,7 +63,7 @@ static double slide_on_line(Rotor along, Rotor rhs, double tiny, double choice, 
   const double square = square_of(along);
   const double gap = square_of(rhs);
   const bool is_free = square <= blind_square(boundary);
-  const bool is_loose = square <= digits(1e-24);
+  const bool is_loose = square <= tolerance_loose_slide;
   Branch regular = *branch;
   doubt_digits(square, boundary, &regular);
   take(branch, is_free, gap <= boundary->gap * tiny, &regular);
@@ -92,7 +94,7 @@ static double quadratic_root(double a, double b, double c, double tiny, double s
                              const Boundary* boundary, Branch* branch) {
   const double scale = b * b + fabs(a * c);
   const double discriminant = b * b - a * c;
-  const double noise = digits(4e6) * tiny * (b * b + a * a * size_square);
+  const double noise = tolerance_noisy_discriminant * tiny * (b * b + a * a * size_square);
   const Limits limits = limits_in_range(boundary, scale);
   admit(discriminant, &limits, discriminant * discriminant <= noise, branch);
   const double root = sqrt(larger(discriminant, boundary->floor * scale));

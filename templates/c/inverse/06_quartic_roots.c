@@ -1,3 +1,5 @@
+// Angles and slides that a quartic gives: conic_circle.h and slide_and_turn.h of the C++ library.
+
 typedef struct CubicRoots {
   int count;
   double root[3];
@@ -109,15 +111,15 @@ static Rotor polished_root(const Aligned* f, Rotor u) {
     const double value = conic_value(f, u), slope = conic_slope(f, u), curvature = conic_curvature(f, u);
     const double discriminant = slope * slope - 2 * value * curvature;
     double move = 0;
-    if (fabs(slope) < 1e-3 && discriminant > 0) {
+    if (fabs(slope) < tolerance_little_slope && discriminant > 0) {
       const double below = slope + with_sign(sqrt(discriminant), slope);
       if (below != 0) move = -2 * value / below;
-    } else if (!(discriminant > 0) && fabs(slope) < 1e-2 * fabs(curvature)) {
+    } else if (!(discriminant > 0) && fabs(slope) < tolerance_slope_to_extremum * fabs(curvature)) {
       move = -slope / curvature;
     } else if (slope != 0) {
       move = -value / slope;
     }
-    if (fabs(move) > 0.1) move = with_sign(0.1, move);
+    if (fabs(move) > tolerance_longest_step) move = with_sign(tolerance_longest_step, move);
     u = turned_by(u, move);
     if (fabs(move) < DBL_EPSILON / 2) break;
   }
@@ -147,7 +149,7 @@ static void add_root_pair(RootSearch* search, Rotor u) {
   const Aligned* f = &search->f;
   const Rotor middle = turned_by(u, -conic_slope(f, u) / conic_curvature(f, u));
   for (int i = 0; i < search->pairs; ++i)
-    if (roots_apart(middle, search->middle[i]) < 1e-3) return;
+    if (roots_apart(middle, search->middle[i]) < tolerance_same_extremum) return;
   if (search->pairs < 2) search->middle[search->pairs++] = middle;
   const double square = -2 * conic_value(f, middle) / conic_curvature(f, middle);
   const double offset = sqrt(larger(square, search->least));
@@ -159,19 +161,19 @@ static void add_root(RootSearch* search, Rotor start) {
   const Aligned* f = &search->f;
   const Rotor u = polished_root(f, start);
   if (!(fabs(conic_value(f, u)) < search->accept)) return;
-  if (fabs(conic_slope(f, u)) < 1e-4 * fabs(conic_curvature(f, u))) {
+  if (fabs(conic_slope(f, u)) < tolerance_slope_of_pair * fabs(conic_curvature(f, u))) {
     add_root_pair(search, u);
     return;
   }
-  if (fabs(conic_value(f, u)) < digits(3e-11)) push_root(search, u, digits(1e-9));
+  if (fabs(conic_value(f, u)) < tolerance_simple_root_value) push_root(search, u, tolerance_same_simple_root);
 }
 
 /// The points of the line a.u + d = 0 on the unit circle; a line that misses it narrowly touches it.
 static void intersect_line(RootSearch* search, double x, double y, double one) {
   const double length = sqrt(x * x + y * y);
-  if (!(length > digits(1e-12) * fabs(one))) return;
+  if (!(length > tolerance_line_direction * fabs(one))) return;
   const double a = x / length, b = y / length, d = -one / length;
-  if (fabs(d) > 1 + 1e-3) return;
+  if (fabs(d) > 1 + tolerance_line_touches) return;
   const double foot = smaller(1, fabs(d));
   const double height = sqrt((1 - foot) * (1 + foot));
   const double along = with_sign(foot, d);
@@ -196,7 +198,7 @@ static void intersect_lines(RootSearch* search, double lines[3][3]) {
 /// cubic, then two lines. Ordered by angle. Nearly double roots count as two: Newton steps on the joints are
 /// to decide.
 static CircleRoots conic_circle(Conic conic, const Boundary* boundary) {
-  RootSearch search = {{0, 0, 0, 0}, 1e-2 * boundary->accept, boundary->floor, {0, {{0, 0}}}, {{0, 0}}, 0};
+  RootSearch search = {{0, 0, 0, 0}, tolerance_value_per_accepted * boundary->accept, boundary->floor, {0, {{0, 0}}}, {{0, 0}}, 0};
   const double difference = (conic.xx - conic.yy) / 2;
   const double mixed = conic.xy / 2;
   const double g = sqrt(difference * difference + mixed * mixed);
@@ -208,7 +210,7 @@ static CircleRoots conic_circle(Conic conic, const Boundary* boundary) {
   search.f.p = (axis.cosine * conic.x + axis.sine * conic.y) / 2 / scale;
   search.f.q = (axis.cosine * conic.y - axis.sine * conic.x) / 2 / scale;
   search.f.k = one / scale;
-  if (search.f.g < digits(1e-13)) {
+  if (search.f.g < tolerance_conic_direction) {
     intersect_line(&search, 2 * search.f.p, 2 * search.f.q, search.f.k);
   } else {
     double lines[3][3];
@@ -315,7 +317,7 @@ static void slide_chosen(const SlideAndTurn* e, double choice, Rotor spread, con
 /// slide; there the starts that lack no more than the divisor's share are as good, for Newton's steps.
 static SlideTurns slide_and_turn(SlideAndTurn e, double tiny, double size_square, double choice, Rotor spread,
                                  const Boundary* boundary) {
-  const double little = digits(1e-6);
+  const double little = tolerance_lost_divisor;
   SlideTurns found;
   found.count = 0;
   if (fabs(e.divisor) > little)

@@ -1,6 +1,8 @@
+// Which branches have led to which solution near singular poses: continuum.h and branch_tracker.h of the C++ library.
+
 /// Next to a continuum steps converge at once; elsewhere they need not.
 static Patience quick(double allowed) {
-  const Patience until = {allowed, 1, 1e-4};
+  const Patience until = {allowed, 1, tolerance_quick_gain};
   return until;
 }
 
@@ -15,9 +17,9 @@ static bool goes_on(const Matching* task, const JointValues* values, const Reach
                     Budget* budget) {
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
-  const double little = length_of_arc(task, idle.least, 1e-2);
+  const double little = length_of_arc(task, idle.least, tolerance_way_along);
   // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
-  const double most = 100 * allowed;
+  const double most = tolerance_off_to_first_order * allowed;
   if (little * little * idle.square > most * most * task->size_square) return false;
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
@@ -41,7 +43,7 @@ static bool leads_on_beside(const Matching* task, const JointValues* values, con
     Held held = nothing_held;
     held.is[i] = true;
     JointValues moved_on = *values;
-    advance(task, i, length_of_arc(task, i, 1e-2), &moved_on);
+    advance(task, i, length_of_arc(task, i, tolerance_way_along), &moved_on);
     Reached there;
     if (polish(task, quick(allowed), &moved_on, &there, budget, &held)) return true;
   }
@@ -97,7 +99,7 @@ static const Known nothing_known = {0, {{{{0, 0}}}}};
 static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
                               Reached* at, Budget* budget) {
   const double share = at->error / task->size_square;
-  if (!(share < digits(1e-8))) return false;
+  if (!(share < tolerance_double_root_miss)) return false;
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
   const double aside = length_of_arc(task, idle.least, sqrt(sqrt(share)));
@@ -186,7 +188,7 @@ static bool is_joined_to_known(Tracker* tracker, const Matching* task, const Joi
                                const Reached* at) {
   for (int k = 0; k < tracker->known.count; ++k) {
     const JointValues* other = &tracker->known.of[k];
-    if (values_apart(task->joints, other, values) < 1e-2 &&
+    if (values_apart(task->joints, other, values) < tolerance_may_be_joined &&
         are_joined(task, values, at, other, &tracker->budget))
       return true;
   }

@@ -1,3 +1,5 @@
+// Poses, and which are valid and in reach: pose.h and reach_test.h of the C++ library.
+
 /// w, x, y, z; Hamilton's product.
 typedef struct Quaternion {
   double of[4];
@@ -9,7 +11,7 @@ typedef struct Pose {
 } Pose;
 
 /// How far |q|^2 of a valid pose may be from 1.
-static const double unit_tolerance = digits(1e-6);
+static const double unit_tolerance = digits(tolerance_most_excess);
 
 /// Half a unit of the last digit of numbers with 3 to 6 digits behind the point, numbers that went through float
 /// included; else 0.
@@ -19,7 +21,7 @@ static double half_last_digit(const double* numbers, int count) {
     bool are_whole = true;
     for (int i = 0; i < count; ++i) {
       const double scaled = numbers[i] * units[n];
-      are_whole = are_whole && fabs(scaled - round(scaled)) <= 5.9604644775390625e-8 * fabs(scaled);
+      are_whole = are_whole && fabs(scaled - round(scaled)) <= 0x1p-24 * fabs(scaled);
     }
     if (are_whole) return n < 3 ? 0 : 0.5 / units[n];
   }
@@ -137,7 +139,7 @@ static ReachTest reach_test_of(const Pose* pose, double excess, double farthest,
   const double distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;
   if (!(fabs(excess) <= unit_tolerance)) return reach_test_invalid;
-  if (distance <= square * (1 + digits(1e-6)) + 80 * square * tolerance) return reach_test_open;
+  if (distance <= square * (1 + tolerance_reach_rounding) + tolerance_reach_per_tolerance * square * tolerance) return reach_test_open;
   return distance < HUGE_VAL ? reach_test_unreachable : reach_test_invalid;
 }
 
@@ -171,7 +173,7 @@ static Quaternion shortest_turn(const double* from, const double* to) {
   Quaternion first = {{1, 0, 0, 0}};
   if (cosine < -0.5 * length) {
     // By half a turn about a direction across first.
-    const bool leans = fabs(from[0]) > digits(1e-12) * fabs(from[2]) || fabs(from[1]) > digits(1e-12) * fabs(from[2]);
+    const bool leans = fabs(from[0]) > tolerance_leaning * fabs(from[2]) || fabs(from[1]) > tolerance_leaning * fabs(from[2]);
     const double a = leans ? -from[1] : 0, b = leans ? from[0] : -from[2], c = leans ? 0 : from[1];
     const double scale = 1 / sqrt(a * a + b * b + c * c);
     set_triple(first.of + 1, scale * a, scale * b, scale * c);

@@ -80,9 +80,9 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   int waited = 0;
   for (int step = 0; step < most_steps && waited < most_waits && least > enough && may_step(budget); ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const bool stuck = waited >= most_waits / 2 && least > 256 * enough;
+    const bool stuck = waited >= most_waits / 2 && least > tolerance_stuck * enough;
     const Steps by =
-        step_of_points(task, &now, 1e-1 * sqrt(error), stuck ? 64 * DBL_EPSILON : half_the_digits, held);
+        step_of_points(task, &now, tolerance_damping * sqrt(error), stuck ? tolerance_noise * DBL_EPSILON : half_the_digits, held);
     for (int i = 0; i < task->joints; ++i) advance(task, i, by.by[i], &now);
     error = miss(task, &now);
     ++waited;
@@ -91,7 +91,7 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
     *values = now;
     waited = 0;
   }
-  const double share = larger(allowed, 16 * DBL_EPSILON);
+  const double share = larger(allowed, tolerance_reached * DBL_EPSILON);
   return least <= share * share * task->size_square;
 }
 
@@ -99,7 +99,7 @@ static bool points_go_on(const Matching* task, const JointValues* values, double
   if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return false;
-  const double little = length_of_arc(task, idle.least, 1e-2);
+  const double little = length_of_arc(task, idle.least, tolerance_way_along);
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
     advance(task, idle.least, (double)side * little, &moved_on);
@@ -109,19 +109,19 @@ static bool points_go_on(const Matching* task, const JointValues* values, double
 }
 
 static bool is_continuum_of_points(const Matching* task, const JointValues* values, Budget* budget) {
-  return points_go_on(task, values, 64 * DBL_EPSILON, budget);
+  return points_go_on(task, values, tolerance_noise * DBL_EPSILON, budget);
 }
 
 /// True if values that miss the goals by very little can be moved on and miss them by not much more.
 static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
   const double share = miss(task, values) / task->size_square;
-  return share < digits(1e-12) && points_go_on(task, values, 4 * sqrt(share), budget);
+  return share < tolerance_nearly_on_continuum && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
 /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely meet what is
 /// missing then is a hundred times as much.
 static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
-  return points_go_on(task, values, digits(1e-6), budget);
+  return points_go_on(task, values, tolerance_next_to_continuum, budget);
 }
 
 /// One step of `move_on`, shorter if it does not get nearer; false if none does.
@@ -130,12 +130,12 @@ static bool improve(const Matching* task, JointValues* values, Budget* budget) {
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return polish_points(task, 0, values, budget, &nothing_held);
   const double least = miss(task, values);
-  Steps by = step_of_points(task, values, 1e-2 * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
+  Steps by = step_of_points(task, values, tolerance_damping_along * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
   for (int attempt = 0; attempt < 4; ++attempt) {
     JointValues moved_on = *values;
     for (int i = 0; i < task->joints; ++i) {
       if (!idle.columns.is[i]) continue;
-      const double most = length_of_arc(task, i, 0.3);
+      const double most = length_of_arc(task, i, tolerance_longest_along);
       by.by[i] = clamped(by.by[i], -most, most);
       advance(task, i, by.by[i], &moved_on);
       by.by[i] = by.by[i] / 4;
@@ -153,7 +153,7 @@ static bool improve(const Matching* task, JointValues* values, Budget* budget) {
 /// does.
 static bool move_on(const Matching* task, JointValues* values, Budget* budget) {
   const int rounds = 24;
-  const double enough = 256 * DBL_EPSILON * DBL_EPSILON * task->size_square;
+  const double enough = tolerance_stuck * DBL_EPSILON * DBL_EPSILON * task->size_square;
   for (int round = 0; round < rounds; ++round) {
     if (!improve(task, values, budget)) return false;
     if (miss(task, values) <= enough) return true;
@@ -171,7 +171,7 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
     middle.of[i].sine = (a->of[i].sine + b->of[i].sine) / 2;
   }
   if (!polish_points(task, 0, &middle, budget, &idle.columns)) return false;
-  const double most = 0.6 * values_apart(task->joints, a, b);
+  const double most = tolerance_between * values_apart(task->joints, a, b);
   return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
 }
 
@@ -238,8 +238,8 @@ static bool is_visited(Visited* visited, const Matching* task, const JointValues
   for (int k = 0; k < visited->known.count; ++k) {
     const JointValues* other = &visited->known.of[k];
     const double square = values_apart(task->joints, other, values);
-    if (square < 180 * DBL_EPSILON) return true;
-    if (square < 1e-2 && points_are_joined(task, other, values, &visited->budget)) return true;
+    if (square < tolerance_same_rows * DBL_EPSILON) return true;
+    if (square < tolerance_may_be_joined && points_are_joined(task, other, values, &visited->budget)) return true;
   }
   return false;
 }
@@ -291,13 +291,13 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
 /// roots of primes are spread evenly. Returns how far the joint whose value is given is to be held from that
 /// value.
 static double displaced(const Pose* pose, double size, int k, Pose* moved) {
-  static const double roots[7] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979,
-                                  2.6457513110645906, 3.3166247903554,    3.605551275463989,
-                                  4.123105625617661};
+  static const double roots[7] = {constant_root_of_2, constant_root_of_3, constant_root_of_5,
+                                  constant_root_of_7, constant_root_of_11,    constant_root_of_13,
+                                  constant_root_of_17};
   double by[7];
   for (int i = 0; i < 7; ++i) {
     const double multiple = (k + 1) * roots[i];
-    by[i] = 1e-4 * (2 * (multiple - floor(multiple)) - 1);
+    by[i] = tolerance_nearby * (2 * (multiple - floor(multiple)) - 1);
   }
   const Quaternion turn = {{1, by[3], by[4], by[5]}};
   moved->orientation = unit_quaternion(turn_after(turn, pose->orientation));

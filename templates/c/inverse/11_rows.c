@@ -1,3 +1,5 @@
+// Rows, their order, and their representatives within limits.
+
 /// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's.
 typedef struct Preference {
   double angle[row_size];
@@ -44,14 +46,14 @@ static void choose_further(Preference* preference, Rotor turn, Rotor spread) {
 
 /// By the golden angle, which spreads any number of them evenly.
 static void next_choice(Preference* preference) {
-  choose_further(preference, rotor(-0x1.798869e0de833p-1, 0x1.59d9dd253cc13p-1),
-                 rotor(0x1.731267372626dp-2, 0x1.dd335a962dc90p-1));
+  choose_further(preference, rotor(constant_golden_cosine, constant_golden_sine),
+                 rotor(constant_half_golden_cosine, constant_half_golden_sine));
 }
 
 /// By a 16th of a turn.
 static void next_choice_of_quartic(Preference* preference) {
-  choose_further(preference, rotor(0x1.d906bcf328d46p-1, 0x1.87de2a6aea963p-2),
-                 rotor(0x1.f6297cff75cb0p-1, 0x1.8f8b83c69a60ap-3));
+  choose_further(preference, rotor(constant_sixteenth_cosine, constant_sixteenth_sine),
+                 rotor(constant_half_sixteenth_cosine, constant_half_sixteenth_sine));
 }
 
 /// An angle in (-pi, pi] less a phase in the same range, brought back into it.
@@ -184,7 +186,7 @@ static void sort_by_distance(Solutions* found, const double* seed) {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
 /// limit to either side. Such a joint is put on the limit itself.
-static const double limit_tolerance = digits(1e-12);
+static const double limit_tolerance = tolerance_on_limit;
 
 static inline double between(double lower, double value, double upper) {
   const double raised = value > lower ? value : lower;
@@ -195,11 +197,11 @@ static inline double between(double lower, double value, double upper) {
 /// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
 /// them. A slide has itself.
 static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
-  const double far = range(1e300);
+  const double far = tolerance_farthest_joint;
   if (!(lower <= upper && lower < far && upper > -far)) return false;
   double value = *q;
   if (revolute) {
-    const double turn = 6.283185307179586476925;
+    const double turn = constant_whole_turn;
     const double rounds = 1.5 / DBL_EPSILON;
     const double half = 0.5 * turn - limit_tolerance;
     const double least = lower + half, most = upper - half;
@@ -240,9 +242,9 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
 /// Counts the whole turns that a joint inside its limits may go further down and up; none if it has not two finite
 /// limits.
 static void count_turns(int joint, double q, double lower, double upper, int* below, int* above) {
-  const double turn = 6.283185307179586476925;
+  const double turn = constant_whole_turn;
   const double rounds = 1.5 / DBL_EPSILON;
-  const double most = digits(5e8);
+  const double most = tolerance_most_turns;
   *below = *above = 0;
   if (!whole_is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
   const double low = lower - limit_tolerance, high = upper + limit_tolerance;
@@ -260,7 +262,7 @@ static void count_turns(int joint, double q, double lower, double upper, int* be
 /// Returns a joint's representative with that number: its own angle, then alternately above and below for as long as there
 /// are both.
 static double numbered_turn(double own, int below, int above, int number, double lower, double upper) {
-  const double turn = 6.283185307179586476925;
+  const double turn = constant_whole_turn;
   const int fewer = below < above ? below : above;
   int turns = number % 2 == 1 ? (number + 1) / 2 : -number / 2;
   if (number > 2 * fewer) turns = above > below ? number - fewer : fewer - number;

@@ -1,3 +1,5 @@
+// The row next to a seed: seed_branch.h of the C++ library.
+
 /// One solution or none.
 typedef struct Nearest {
   int status;
@@ -69,7 +71,7 @@ static const Forks no_forks = {0, 0, {0}, 0};
 /// True if two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
 static bool are_one(const Branch* other, double other_apart, const Branch* branch, double apart) {
   const double difference = other_apart - apart;
-  return other->unsure && branch->unsure && difference * difference <= digits(1e-12) * apart;
+  return other->unsure && branch->unsure && difference * difference <= tolerance_forks_meet * apart;
 }
 
 /// True if the other of two solutions is to be taken.
@@ -95,13 +97,13 @@ static unsigned open_forks(const Forks* forks, double least) {
 /// True if a row of the equations alone, which leave free joints where the seed has them, is so near to the seed that
 /// no other needs to be asked for: 10 mrad.
 static bool is_by_seed(const Nearest* found, const Preference* seed) {
-  return nearest_apart(found, seed) < 1e-4;
+  return nearest_apart(found, seed) < tolerance_by_seed;
 }
 
 /// True if a row that Newton's steps have found is so near to the seed that no other is needed. The steps may have
 /// moved it along a continuum, on which it has to be within 2 mrad.
 static bool is_next_to(const Nearest* found, const Preference* seed) {
-  return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < digits(4e-6));
+  return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < tolerance_by_seed_on_continuum);
 }
 
 /// Keeps the row that is nearer to the seed, and counts what both have cost.

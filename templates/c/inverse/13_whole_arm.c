@@ -1,3 +1,5 @@
+// The arm from base to tool, and Newton's steps of all of its joints: whole_arm.h of the C++ library.
+
 /// Joints and tool with all joints at zero.
 typedef struct Arm {
   int joints;
@@ -66,7 +68,7 @@ static Pose pitched_pose(const Arm* arm, PitchJoints joints, const double* tool_
       atan2(projection(across, normal), projection(base, inclined) - projection(across, base) * projection(across, inclined));
   Pose pose = pose_from(no_turn, position);
   pose.orientation = turn_after(turn_about(across, pitch - now), tool);
-  if (!(projection(beside, beside) > digits(1e-20))) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
+  if (!(projection(beside, beside) > tolerance_pitched)) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
   return pose;
 }
 
@@ -141,15 +143,11 @@ static double miss_square(const Matching* task, const JointValues* values) {
   return largest;
 }
 
-/// The share of the way between them by which two joint values miss each other's pose if nothing between them
-/// is nearly free.
-static const double least_miss = 0.05;
-
 /// True if a row of the equations that rounding may have decided is to be taken: it brings the tool to the pose, but
 /// for rounding, and nothing between the seed and it is nearly free, along which rounding would have moved it.
 static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const Preference* seed,
                            const Nearest* found) {
-  const double rounding = 32 * DBL_EPSILON;
+  const double rounding = tolerance_row_rounding * DBL_EPSILON;
   Matching task;
   JointValues row, start;
   set_matching(arm, pose, points, &task);
@@ -160,7 +158,7 @@ static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const P
   }
   if (!(miss_square(&task, &row) <= rounding * rounding * task.size_square)) return false;
   return miss_square(&task, &start) >=
-         least_miss * least_miss * nearest_apart(found, seed) * task.size_square;
+         tolerance_least_miss * tolerance_least_miss * nearest_apart(found, seed) * task.size_square;
 }
 
 /// True if the seed misses the pose by much less than its way to a row lets expect: something between them is nearly
@@ -169,7 +167,7 @@ static bool is_nearly_free(const Matching* task, const JointValues* seed, double
   if (!may_step(budget)) return false;
   Reached at;
   reach(task, seed, &at);
-  return at.error < least_miss * least_miss * row_apart * task->size_square;
+  return at.error < tolerance_least_miss * tolerance_least_miss * row_apart * task->size_square;
 }
 
 /// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint
@@ -233,7 +231,7 @@ static bool has_row(const Solutions* found, const Row* row) {
       const double off = is_revolute[i] ? without_turns(difference) : difference;
       square += off * off;
     }
-    if (square < 180 * DBL_EPSILON) return true;
+    if (square < tolerance_same_rows * DBL_EPSILON) return true;
   }
   return false;
 }
@@ -251,7 +249,7 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   const bool is_sure = found->effort.passes == 0;
   const double row_apart = nearest_apart(&nearest, seed);
   // Steps that rounding makes on a continuum would add up.
-  if (is_sure ? is_next_to(&nearest, seed) : row_apart < digits(1e-12)) return;
+  if (is_sure ? is_next_to(&nearest, seed) : row_apart < tolerance_at_seed) return;
   follow_whole_arm(arm, points, pose, seed, given, value, tolerance, is_sure, &nearest);
   found->effort.steps += nearest.effort.steps;
   if (!(nearest_apart(&nearest, seed) < row_apart) || has_row(found, &nearest.row)) return;

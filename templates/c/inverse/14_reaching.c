@@ -1,3 +1,5 @@
+// Rows of a task that have to reach more than its equations say: pose_filter.h of the C++ library.
+
 /// Keeps the rows that also reach the tool's point (`points` 1) or the whole pose (3), of rows that solve less than
 /// that.
 typedef struct Reaching {
@@ -51,7 +53,7 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
 /// round. False if there is no budget left.
 static bool go_along_idle(Reaching* kept, int round, JointValues* values, Reached* at) {
   const Matching* task = &kept->task;
-  const double golden_angle = 2.399963229728653;
+  const double golden_angle = constant_golden_angle;
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return true;
   const Reached here = *at;
@@ -69,7 +71,7 @@ static bool has_branch(const Solutions* found, int branch) {
 
 static void look_at_row(Reaching* kept, const Row* from, double near, int round, Solutions* found) {
   const Matching* task = &kept->task;
-  const double exact = 4 * DBL_EPSILON, same = digits(1e-6);
+  const double exact = 4 * DBL_EPSILON, same = tolerance_same_start;
   double q[dof];
   JointValues values;
   memcpy(q, from->q, sizeof q);
@@ -98,10 +100,10 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round,
 /// How far off a row may be that Newton's steps are to bring to the pose: near a singular pose what a direction is
 /// may have but few digits; a pose off by the tolerance moves a double root by the square root of that.
 static double near_enough(const Effort* effort, double tolerance) {
-  const double few_digits = effort->steps > 0 ? 1e-2 : 1e-4;
-  const double moved = 30 * sqrt(tolerance);
+  const double few_digits = effort->steps > 0 ? tolerance_near_enough_singular : tolerance_near_enough;
+  const double moved = tolerance_near_enough_by_tolerance * sqrt(tolerance);
   if (!(moved > few_digits)) return few_digits;
-  return moved < 0.3 ? moved : 0.3;
+  return moved < tolerance_near_enough_at_most ? moved : tolerance_near_enough_at_most;
 }
 
 /// Looks at every row, all on continua from wherever they are; in rounds after the first at other places of these.

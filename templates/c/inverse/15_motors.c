@@ -2,9 +2,6 @@
 // motor_turns.h of the C++ library say how representatives are found. The robot's tables, `motor_of` to `turn_motion`, and
 // `values_of` stand in front of all.
 
-/// Limits beyond this are none.
-static const double farthest_limit = range(1e300);
-
 /// Turns that are tried on both sides where limits leave more than `most_turns`, or have no end.
 static const double tried_turns = 16.0;
 
@@ -49,7 +46,7 @@ static bool is_alone(int level) {
 static TurnRange turn_range(double step, double lower, double upper, double centre) {
   TurnRange range;
   const double half = 0.5 * step - limit_tolerance;
-  const double between_limits = 0.5 * (larger(lower, -farthest_limit) + smaller(upper, farthest_limit));
+  const double between_limits = 0.5 * (larger(lower, -tolerance_farthest_joint) + smaller(upper, tolerance_farthest_joint));
   const double least = smaller(lower + half, between_limits), most = larger(upper - half, between_limits);
   range.step = step;
   range.per_step = 1 / step;
@@ -72,9 +69,9 @@ static bool has_one_place(const TurnRange* range) {
 
 /// Limits that are not a range admit nothing: no value is between these.
 static void set_value_limits(WithinMotors* within, int place, double lower, double upper) {
-  const bool is_range = lower <= upper && lower < farthest_limit && upper > -farthest_limit;
-  within->lower.of[place] = is_range ? lower : farthest_limit;
-  within->upper.of[place] = is_range ? upper : -farthest_limit;
+  const bool is_range = lower <= upper && lower < tolerance_farthest_joint && upper > -tolerance_farthest_joint;
+  within->lower.of[place] = is_range ? lower : tolerance_farthest_joint;
+  within->upper.of[place] = is_range ? upper : -tolerance_farthest_joint;
 }
 
 /// Sets the bounds of what a level moves, alone or with others.
@@ -109,14 +106,14 @@ static void set_within_motors(WithinMotors* within, const double* lower, const d
   memset(within->alone_step.of, 0, sizeof within->alone_step.of);
   memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
   memset(within->alone_middle.of, 0, sizeof within->alone_middle.of);
-  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < digits(1e12) ? centre[i] : 0;
+  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_farthest_seed ? centre[i] : 0;
   within->centre = values_of(sensible);
   for (int i = 0; i < bounded; ++i) {
     const int motor = motor_of[i];
     set_value_limits(within, i, motor >= 0 ? lower[motor] : own_lower[i], motor >= 0 ? upper[motor] : own_upper[i]);
     const bool stays = i < level_begin(0);
-    within->alone_lower.of[i] = stays ? within->lower.of[i] - limit_tolerance : -farthest_limit;
-    within->alone_upper.of[i] = stays ? within->upper.of[i] + limit_tolerance : farthest_limit;
+    within->alone_lower.of[i] = stays ? within->lower.of[i] - limit_tolerance : -tolerance_farthest_joint;
+    within->alone_upper.of[i] = stays ? within->upper.of[i] + limit_tolerance : tolerance_farthest_joint;
   }
   for (int level = 0; level < turn_count; ++level) set_level(within, level);
 }
@@ -195,7 +192,7 @@ static Values turned_values(const Turns* turns, int level, double number) {
 /// Settles the last level of a block. All its values move along a line, on which limits leave a piece and the distance has one
 /// least value: no number is tried. Returns false if nothing is inside.
 static bool settle_last(const WithinMotors* within, int level, Values* values) {
-  double least = -farthest_limit, most = farthest_limit, wanted = 0;
+  double least = -tolerance_farthest_joint, most = tolerance_farthest_joint, wanted = 0;
   for (int i = level_begin(level); i < level_begin(level + 1); ++i) {
     const double motion = motion_of(level, i), per_motion = within->per_motion.of[i];
     const double down = (within->lower.of[i] - limit_tolerance - values->of[i]) * per_motion;

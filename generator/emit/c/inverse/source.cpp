@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "emit/blocks/reached.h"
 #include "emit/builtin_templates.h"
-#include "emit/c/inverse/chunks.h"
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/tidy.h"
 #include "emit/inverse/arm.h"
@@ -193,7 +193,8 @@ Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, cons
   const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
       render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
-  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
+  return {render("c/solutions.h", values),
+          render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
 
 Part metrics(const model::Robot& robot) {

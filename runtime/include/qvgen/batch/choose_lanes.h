@@ -52,7 +52,8 @@ class LaneSeeds {
 
  private:
   QVGEN_INLINE void set_limits(int i, double lower, double upper) {
-    constexpr double far = 1e300, half = 0.5 * inverse::whole_turn - limit_tolerance;
+    constexpr double far = inverse::tolerance::farthest_joint,
+                     half = 0.5 * inverse::whole_turn - limit_tolerance;
     const bool is_range = lower <= upper && lower < far && upper > -far;
     lower_[i] = is_range ? lower : far;
     upper_[i] = is_range ? upper : -far;

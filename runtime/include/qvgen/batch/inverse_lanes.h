@@ -53,7 +53,8 @@ QVGEN_LANES inverse::Branch<Lane> reach_test(const LanePoses<Lane>& pose, const 
   const Lane distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;
   const auto is_unit = magnitude(excess) <= Lane(unit_tolerance<double>());
-  const auto is_near = distance <= Lane(square * (1 + 1e-6) + 80 * square * tolerance);
+  const auto is_near = distance <= Lane(square * (1 + inverse::tolerance::reach_rounding) +
+                                        inverse::tolerance::reach_per_tolerance * square * tolerance);
   const auto is_finite = distance < Lane(std::numeric_limits<double>::infinity());
   inverse::Branch<Lane> branch;
   branch.exists = is_unit & is_near;

@@ -43,7 +43,7 @@ Scalar angle(const Rotor<Scalar>& rotor) {
 
 template <typename Scalar>
 Scalar pi() {
-  return Scalar(3.14159265358979323846);
+  return Scalar(constant::pi);
 }
 
 /// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would

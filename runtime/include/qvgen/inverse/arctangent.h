@@ -2,6 +2,7 @@
 #pragma once
 
 #include <qvgen/inverse/branch.h>
+#include <qvgen/inverse/constants.h>
 
 namespace qvgen::inverse {
 
@@ -45,14 +46,14 @@ template <typename Scalar>
 Scalar arctangent_series(const Scalar& z) {
   const Scalar z2 = z * z;
   const Scalar z4 = z2 * z2;
-  const Scalar c01 = Scalar(-0x1.55555555554d3p-2) + z * Scalar(0x1.999999998721ap-3);
-  const Scalar c23 = Scalar(-0x1.2492491d4e0a2p-3) + z * Scalar(0x1.c71c6eeb5ad85p-4);
-  const Scalar c45 = Scalar(-0x1.745cc35dc5ea5p-4) + z * Scalar(0x1.3b0d9caeb1e12p-4);
-  const Scalar c67 = Scalar(-0x1.10c699c0d341ap-4) + z * Scalar(0x1.dd1589af82d9ep-5);
-  const Scalar c89 = Scalar(-0x1.947d0a96686b7p-5) + z * Scalar(0x1.23ffc268de3f2p-5);
+  const Scalar c01 = Scalar(constant::arctangent_0) + z * Scalar(constant::arctangent_1);
+  const Scalar c23 = Scalar(constant::arctangent_2) + z * Scalar(constant::arctangent_3);
+  const Scalar c45 = Scalar(constant::arctangent_4) + z * Scalar(constant::arctangent_5);
+  const Scalar c67 = Scalar(constant::arctangent_6) + z * Scalar(constant::arctangent_7);
+  const Scalar c89 = Scalar(constant::arctangent_8) + z * Scalar(constant::arctangent_9);
   const Scalar low = c01 + z2 * c23;
   const Scalar middle = c45 + z2 * c67;
-  const Scalar high = c89 + z2 * Scalar(-0x1.f962b3a8b22c7p-7);
+  const Scalar high = c89 + z2 * Scalar(constant::arctangent_10);
   return low + z4 * (middle + z4 * high);
 }
 
@@ -73,8 +74,8 @@ Octant<Scalar> octant(const Scalar& height, const Scalar& width) {
   const Mask<Scalar> near_diagonal = small > Scalar(0.45) * large;
   const Scalar rise = select(near_diagonal, Scalar(small - large), small);
   const Scalar run = select(near_diagonal, Scalar(large + small), large);
-  const Scalar axis = select(steep, Scalar(0x1.921fb54442d18p+0), Scalar(0));
-  return {rise, larger(run, Scalar(0x1p-1022)), select(near_diagonal, Scalar(0x1.921fb54442d18p-1), axis),
+  const Scalar axis = select(steep, Scalar(constant::quarter_turn), Scalar(0));
+  return {rise, larger(run, Scalar(0x1p-1022)), select(near_diagonal, Scalar(constant::eighth_turn), axis),
           steep};
 }
 
@@ -84,7 +85,7 @@ template <typename Scalar>
 Scalar turned_by_arctangent(const Scalar& base, const Scalar& t) {
   const Scalar z = t * t;
   const Scalar sum = base + t;
-  const Scalar beyond = Scalar(0x1.1a62633145c07p-54 / 0x1.921fb54442d18p+0) * base;
+  const Scalar beyond = Scalar(constant::beyond_quarter_turn / constant::quarter_turn) * base;
   const Scalar rest = ((base - sum) + t) + beyond;
   return sum + (rest + t * z * polynomial::arctangent_series(z));
 }
@@ -101,7 +102,7 @@ template <typename Scalar>
 Scalar arctangent(const Scalar& y, const Scalar& x) {
   const Octant<Scalar> found = polynomial::octant(magnitude(y), magnitude(x));
   const Mask<Scalar> back = x < Scalar(0);
-  const Scalar base = select(back, Scalar(Scalar(0x1.921fb54442d18p+1) - found.base), found.base);
+  const Scalar base = select(back, Scalar(Scalar(constant::half_turn) - found.base), found.base);
   const Scalar rise = negated(back ^ found.steep, found.rise);
   return with_sign(polynomial::turned_by_arctangent(base, Scalar(rise / found.run)), y);
 }
@@ -111,11 +112,11 @@ template <typename Scalar>
 Scalar short_series(const Scalar& z) {
   const Scalar z2 = z * z;
   const Scalar z4 = z2 * z2;
-  const Scalar c01 = Scalar(-0x1.5555555555317p-2) + z * Scalar(0x1.9999999949573p-3);
-  const Scalar c23 = Scalar(-0x1.2492490573282p-3) + z * Scalar(0x1.c71c65cc4b9efp-4);
-  const Scalar c45 = Scalar(-0x1.745bc2e136756p-4) + z * Scalar(0x1.3afc30ebd6b1bp-4);
-  const Scalar c67 = Scalar(-0x1.100504f5a18b1p-4) + z * Scalar(0x1.d252ee2a38bc9p-5);
-  const Scalar c89 = Scalar(-0x1.65109d731968bp-5) + z * Scalar(0x1.5c382b132ec64p-6);
+  const Scalar c01 = Scalar(constant::short_arctangent_0) + z * Scalar(constant::short_arctangent_1);
+  const Scalar c23 = Scalar(constant::short_arctangent_2) + z * Scalar(constant::short_arctangent_3);
+  const Scalar c45 = Scalar(constant::short_arctangent_4) + z * Scalar(constant::short_arctangent_5);
+  const Scalar c67 = Scalar(constant::short_arctangent_6) + z * Scalar(constant::short_arctangent_7);
+  const Scalar c89 = Scalar(constant::short_arctangent_8) + z * Scalar(constant::short_arctangent_9);
   return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
 }
 
@@ -133,8 +134,8 @@ Tangent<Scalar> tangent(const Scalar& y, const Scalar& x, const Scalar& length) 
   const Scalar height = magnitude(y);
   const Scalar width = magnitude(x);
   const Scalar steep = width - height;  // by its sign
-  const Scalar axis = select_by_sign(steep, Scalar(0x1.921fb54442d18p+0),
-                                     select_by_sign(x, Scalar(0x1.921fb54442d18p+1), Scalar(0)));
+  const Scalar axis = select_by_sign(steep, Scalar(constant::quarter_turn),
+                                     select_by_sign(x, Scalar(constant::half_turn), Scalar(0)));
   return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)),
           sign_of_product(sign_of_product(x, y), steep)};
 }

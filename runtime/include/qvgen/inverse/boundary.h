@@ -24,7 +24,7 @@ Scalar merge_share() {
 /// How far off a pose the nearest joints may leave the arm's point and still count as a solution, as a share
 /// of the arm's size: what a pose at the boundary of reach needs, since rounding puts every second one
 /// outside.
-inline constexpr double default_tolerance = 1e-13;
+inline constexpr double default_tolerance = tolerance::beyond_reach;
 
 /// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they
 /// exist. `plain` is for regular poses: equations are taken at their word, and what should not be trusted is

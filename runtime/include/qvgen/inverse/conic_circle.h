@@ -91,15 +91,17 @@ Rotor<Scalar> polished(const Aligned<Scalar>& f, Rotor<Scalar> u) {
     const Scalar value = f.value(u), slope = f.slope(u), curvature = f.curvature(u);
     const Scalar discriminant = slope * slope - Scalar(2) * value * curvature;
     Scalar move(0);
-    if (abs(slope) < Scalar(1e-3) && discriminant > Scalar(0)) {
+    if (abs(slope) < Scalar(tolerance::little_slope) && discriminant > Scalar(0)) {
       const Scalar below = slope + with_sign(sqrt(discriminant), slope);
       if (below != Scalar(0)) move = Scalar(-2) * value / below;
-    } else if (!(discriminant > Scalar(0)) && abs(slope) < Scalar(1e-2) * abs(curvature)) {
+    } else if (!(discriminant > Scalar(0)) &&
+               abs(slope) < Scalar(tolerance::slope_to_extremum) * abs(curvature)) {
       move = -slope / curvature;
     } else if (slope != Scalar(0)) {
       move = -value / slope;
     }
-    if (abs(move) > Scalar(0.1)) move = with_sign(Scalar(0.1), move);
+    const Scalar most(tolerance::longest_step);
+    if (abs(move) > most) move = with_sign(most, move);
     u = turned_by(u, move);
     if (abs(move) < epsilon<Scalar>() / Scalar(2)) break;
   }
@@ -112,16 +114,16 @@ template <typename Scalar>
 class Roots {
  public:
   Roots(const Aligned<Scalar>& f, const Boundary& boundary)
-      : f_(f), accept_(1e-2 * boundary.accept), floor_(boundary.floor) {}
+      : f_(f), accept_(tolerance::value_per_accepted * boundary.accept), floor_(boundary.floor) {}
 
   /// The points of the line a·u + d = 0 on the unit circle; a line that misses it narrowly touches it.
   void intersect(const std::array<Scalar, 3>& line) {
     using std::abs;
     using std::sqrt;
     const Scalar length = sqrt(Scalar(line[0] * line[0] + line[1] * line[1]));
-    if (!(length > Scalar(1e-12) * abs(line[2]))) return;
+    if (!(length > Scalar(tolerance::line_direction) * abs(line[2]))) return;
     const Scalar a = line[0] / length, b = line[1] / length, d = -line[2] / length;
-    if (abs(d) > Scalar(1 + 1e-3)) return;
+    if (abs(d) > Scalar(1 + tolerance::line_touches)) return;
     const Scalar foot = smaller(Scalar(1), Scalar(abs(d)));
     const Scalar height = sqrt(Scalar((Scalar(1) - foot) * (Scalar(1) + foot)));
     const Scalar along = with_sign(foot, d);
@@ -136,8 +138,8 @@ class Roots {
     using std::abs;
     const Rotor<Scalar> u = polished(f_, start);
     if (!(abs(f_.value(u)) < Scalar(accept_))) return;
-    if (abs(f_.slope(u)) < Scalar(1e-4) * abs(f_.curvature(u))) return add_pair(u);
-    if (abs(f_.value(u)) < Scalar(3e-11)) push(u, Scalar(1e-9));
+    if (abs(f_.slope(u)) < Scalar(tolerance::slope_of_pair) * abs(f_.curvature(u))) return add_pair(u);
+    if (abs(f_.value(u)) < Scalar(tolerance::simple_root_value)) push(u, Scalar(tolerance::same_simple_root));
   }
 
   /// About the extremum next to u: the local parabola's roots, or the extremum itself twice.
@@ -145,7 +147,7 @@ class Roots {
     using std::sqrt;
     const Rotor<Scalar> middle = turned_by(u, Scalar(-f_.slope(u) / f_.curvature(u)));
     for (int i = 0; i < pairs_; ++i)
-      if (apart(middle, middle_[static_cast<std::size_t>(i)]) < Scalar(1e-3)) return;
+      if (apart(middle, middle_[static_cast<std::size_t>(i)]) < Scalar(tolerance::same_extremum)) return;
     if (pairs_ < 2) middle_[static_cast<std::size_t>(pairs_++)] = middle;
     const Scalar square = Scalar(-2) * f_.value(middle) / f_.curvature(middle);
     const Scalar offset = sqrt(larger(square, Scalar(floor_)));
@@ -172,6 +174,22 @@ class Roots {
   int pairs_ = 0;
 };
 
+/// Turns roots back by a conic's axis, and sorts them by angle.
+template <typename Scalar>
+CircleRoots<Scalar> in_order(CircleRoots<Scalar> found, const Rotor<Scalar>& axis) {
+  std::array<Scalar, 4> order{};
+  for (int i = 0; i < found.count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    found.root[place] = axis * found.root[place];
+    order[place] = angle(found.root[place]);
+    for (std::size_t j = place; j > 0 && order[j] < order[j - 1]; --j) {
+      std::swap(order[j], order[j - 1]);
+      std::swap(found.root[j], found.root[j - 1]);
+    }
+  }
+  return found;
+}
+
 }  // namespace conic
 
 /// The up to four angles of a conic on the unit circle, by the pencil of the two conics: a real root of one
@@ -194,7 +212,7 @@ CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Boundary& bou
   const Scalar q = (axis.cosine * conic.y - axis.sine * conic.x) / Scalar(2);
   const conic::Aligned<Scalar> f{g / scale, p / scale, q / scale, one / scale};
   conic::Roots<Scalar> roots(f, boundary);
-  if (f.g < Scalar(1e-13)) {
+  if (f.g < Scalar(tolerance::conic_direction)) {
     roots.intersect({Scalar(2) * f.p, Scalar(2) * f.q, f.k});
   } else {
     const conic::Matrix<Scalar> lines = conic::line_pair(f, pi);
@@ -208,18 +226,7 @@ CircleRoots<Scalar> conic_circle(const Conic<Scalar>& conic, const Boundary& bou
     roots.intersect(lines[row]);
     roots.intersect({lines[0][column], lines[1][column], lines[2][column]});
   }
-  CircleRoots<Scalar> found = roots.found();
-  std::array<Scalar, 4> order{};
-  for (int i = 0; i < found.count; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    found.root[place] = axis * found.root[place];
-    order[place] = angle(found.root[place]);
-    for (std::size_t j = place; j > 0 && order[j] < order[j - 1]; --j) {
-      std::swap(order[j], order[j - 1]);
-      std::swap(found.root[j], found.root[j - 1]);
-    }
-  }
-  return found;
+  return conic::in_order(roots.found(), axis);
 }
 
 }  // namespace qvgen::inverse

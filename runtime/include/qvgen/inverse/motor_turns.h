@@ -13,7 +13,8 @@
 #include <cmath>
 #include <limits>
 
-#include <qvgen/inverse/within.h>
+#include <qvgen/inverse/tolerances.h>
+#include <qvgen/inverse/turn_range.h>
 
 namespace qvgen {
 
@@ -28,64 +29,6 @@ struct MotorTurns {
 };
 
 namespace inverse {
-
-/// Bounds of a pivot, made ready to be compared with many rows: see within.h for the middle.
-struct TurnRange {
-  /// Turns that are tried on both sides where limits leave more than `most_values`, or have no end.
-  static constexpr double tried = 16, most_values = 4096;
-  static constexpr double far = 1e300;
-
-  double step = 1, per_step = 1, lower = 0, upper = 0, middle = 0, farthest = 0;
-  bool is_open = false;  ///< the nearest turn that is inside stands for all
-
-  TurnRange() = default;
-  /// For limits, and a centre near which values are wanted, of a value that a turn moves by `step_`.
-  TurnRange(double step_, double lower_, double upper_, double centre)
-      : step(step_), per_step(1 / step_), lower(lower_), upper(upper_) {
-    const double half = 0.5 * step - limit_tolerance;
-    const double between = 0.5 * (std::max(lower, -far) + std::min(upper, far));
-    const double least = std::min(lower + half, between), most = std::max(upper - half, between);
-    middle = std::min(std::max(centre, least), most);
-    is_open = !(upper - lower < most_values * step);
-    farthest = is_open ? tried : most_values;
-  }
-  [[nodiscard]] bool holds(double value) const {
-    return value >= lower - limit_tolerance && value <= upper + limit_tolerance;
-  }
-  /// True if two values that differ by turns cannot both be inside.
-  [[nodiscard]] bool has_one_place() const { return upper - lower < step - 2 * limit_tolerance; }
-  /// The whole number of turns from a value to the middle.
-  [[nodiscard]] double nearest(double value) const { return nearest_whole((middle - value) * per_step); }
-};
-
-/// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above
-/// and below.
-class TurnNumbers {
- public:
-  TurnNumbers() = default;
-  TurnNumbers(double from, const TurnRange& range) : from_(from), nearest_(range.nearest(from)) {}
-
-  /// Goes to the next number; false if there is none.
-  bool next(const TurnRange& range, double& number) {
-    while (!(is_over_[0] && is_over_[1])) {
-      side_ = is_over_[0] || (!is_over_[1] && away_[1] < away_[0]) ? 1 : 0;
-      number = nearest_ + (side_ == 0 ? away_[0] : -away_[1]);
-      is_over_[side_] = !range.holds(from_ + number * range.step) || away_[side_] > range.farthest;
-      if (is_over_[side_]) continue;
-      ++away_[side_];
-      return true;
-    }
-    return false;
-  }
-  /// Ends the side of the last number: what lies beyond is farther still.
-  void end_side() { is_over_[side_] = true; }
-
- private:
-  double from_ = 0, nearest_ = 0;
-  double away_[2] = {0, 1};
-  bool is_over_[2] = {false, false};
-  int side_ = 0;
-};
 
 /// Values that no motion moves with others, several at once; see within.h. Others are left as they are.
 template <int bounded>
@@ -184,7 +127,7 @@ class WithinMotors {
   };
 
   /// A centre beyond which whole turns are lost in rounding is none, nor is what is no number.
-  static double sensible(double centre) { return std::abs(centre) < 1e12 ? centre : 0.0; }
+  static double sensible(double centre) { return std::abs(centre) < tolerance::lost_centre ? centre : 0.0; }
   static constexpr int motor_at(int place) { return Map::motor_of[static_cast<std::size_t>(place)]; }
   static constexpr bool is_motor(int place) { return motor_at(place) >= 0; }
   /// The first value that is settled by a level; those before the first pivot are by level -1.
@@ -305,64 +248,6 @@ class WithinMotors {
   Values centre_;
   TurnRange ranges_[bounded];
   LoneValues<bounded> alone_;
-};
-
-/// The representatives of one row, made one after the other.
-template <class Map>
-class Representatives {
- public:
-  static constexpr int dof = Map::dof, bounded = Map::bounded;
-  using Values = typename WithinMotors<Map>::Values;
-
-  /// Puts the first representative in place of a row, if there is one.
-  void start(const WithinMotors<Map>& within, Joints<dof>& motors) {
-    within_ = &within;
-    const Values values = Map::values(motors);
-    level_ = -1;
-    if (!within.is_inside(-1, values)) return;
-    if (Map::turns.count == 0) {
-      motors = within.motors_of(values);
-      return;
-    }
-    open(values);
-    next(motors);
-  }
-
-  /// Goes to the next one; false if there is none.
-  bool next(Joints<dof>& motors) {
-    while (level_ >= 0) {
-      const TurnRange& range = within_->range(level_);
-      double number = 0;
-      if ((range.is_open && has_one_[level_]) || !numbers_[level_].next(range, number)) {
-        --level_;
-        continue;
-      }
-      const Values values = within_->turned(level_, number, from_[level_]);
-      if (!within_->is_inside(level_, values)) continue;
-      if (level_ + 1 < Map::turns.count) {
-        open(values);
-        continue;
-      }
-      motors = within_->motors_of(values);
-      std::fill(has_one_, has_one_ + bounded, true);
-      return true;
-    }
-    return false;
-  }
-
- private:
-  void open(const Values& from) {
-    ++level_;
-    from_[level_] = from;
-    has_one_[level_] = false;
-    numbers_[level_] = {from[Map::turns.pivot[level_]], within_->range(level_)};
-  }
-
-  const WithinMotors<Map>* within_ = nullptr;
-  int level_ = -1;
-  Values from_[bounded];
-  TurnNumbers numbers_[bounded];
-  bool has_one_[bounded] = {};
 };
 
 }  // namespace inverse

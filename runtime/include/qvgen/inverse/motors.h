@@ -11,7 +11,7 @@
 #include <limits>
 
 #include <qvgen/inverse/joint_limits.h>
-#include <qvgen/inverse/motor_turns.h>
+#include <qvgen/inverse/motor_representatives.h>
 #include <qvgen/inverse/row_iterator.h>
 #include <qvgen/inverse/solutions.h>
 

@@ -17,11 +17,11 @@ struct ChoiceStep {
   Rotor<double> turn, half;
 };
 /// By the golden angle, which spreads any number of choices evenly.
-inline constexpr ChoiceStep golden_step{{-0x1.798869e0de833p-1, 0x1.59d9dd253cc13p-1},
-                                        {0x1.731267372626dp-2, 0x1.dd335a962dc90p-1}};
+inline constexpr ChoiceStep golden_step{{constant::golden_cosine, constant::golden_sine},
+                                        {constant::half_golden_cosine, constant::half_golden_sine}};
 /// By a 16th of a turn.
-inline constexpr ChoiceStep sixteenth_step{{0x1.d906bcf328d46p-1, 0x1.87de2a6aea963p-2},
-                                           {0x1.f6297cff75cb0p-1, 0x1.8f8b83c69a60ap-3}};
+inline constexpr ChoiceStep sixteenth_step{{constant::sixteenth_cosine, constant::sixteenth_sine},
+                                           {constant::half_sixteenth_cosine, constant::half_sixteenth_sine}};
 
 /// Turns every preferred angle a step further, and moves slides elsewhere in reach.
 template <int dof>
@@ -43,8 +43,9 @@ struct Place {
 /// A pose moved and turned a little, another way for every k: the fractional parts of multiples of square
 /// roots of primes are spread evenly.
 inline Place displaced(const Pose<double>& pose, double size, int k) {
-  constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979, 2.6457513110645906,
-                              3.3166247903554,    3.605551275463989,  4.123105625617661};
+  constexpr double roots[] = {constant::root_of_2, constant::root_of_3,  constant::root_of_5,
+                              constant::root_of_7, constant::root_of_11, constant::root_of_13,
+                              constant::root_of_17};
   double by[7];
   for (int i = 0; i < 7; ++i) {
     const double multiple = (k + 1) * roots[i];

@@ -72,8 +72,9 @@ class PoseFilter {
   /// Near a singular pose a direction may have but few digits. A pose off by the tolerance, where the
   /// equations have a double root, moves the root by the square root of that.
   [[nodiscard]] double near_enough(const Effort& effort) const {
-    const double few_digits = effort.steps > 0 ? 1e-2 : 1e-4;
-    return std::max(few_digits, std::min(0.3, 30 * std::sqrt(tolerance_)));
+    const double few_digits = effort.steps > 0 ? tolerance::near_enough_singular : tolerance::near_enough;
+    return std::max(few_digits, std::min(tolerance::near_enough_at_most,
+                                         tolerance::near_enough_by_tolerance * std::sqrt(tolerance_)));
   }
 
   void add(const Effort& effort) {
@@ -126,7 +127,7 @@ class PoseFilter {
 
   /// True if a choice has led to where the first one has.
   [[nodiscard]] bool is_start(int branch, const Values& values) {
-    constexpr double same = 1e-6;
+    constexpr double same = tolerance::same_start;
     return distance_square(start_of(branch), values) < same * same;
   }
 
@@ -134,7 +135,7 @@ class PoseFilter {
   /// another, up to a quarter of a turn away, where nothing says to which side: goes along what is idle,
   /// another way each round. False if there is no budget left.
   bool move_on(int round, Values& values, At& at) {
-    constexpr double golden_angle = 2.399963229728653;
+    constexpr double golden_angle = constant::golden_angle;
     const auto idle = Newton::idle(at);
     if (idle.least == dof) return true;
     const Newton newton(task_);

@@ -36,7 +36,9 @@ enum class ReachTest {
   const double distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;
   if (!(magnitude(excess) <= unit)) return ReachTest::invalid;
-  if (distance <= square * (1 + 1e-6) + 80 * square * tolerance) return ReachTest::open;
+  if (distance <=
+      square * (1 + tolerance::reach_rounding) + tolerance::reach_per_tolerance * square * tolerance)
+    return ReachTest::open;
   return distance < std::numeric_limits<double>::infinity() ? ReachTest::unreachable : ReachTest::invalid;
 }
 

@@ -140,7 +140,7 @@ Pose<double> pose_of(const PositionAndPitch<double>& task, const ArmAtZero<dof>&
   const Eigen::Quaterniond tool = tool_of<dof>(arm, q).orientation;
   const Vector3<double> inclined = tool * tool_axis;
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(task.pitch - angle_about(across, base, inclined), across));
-  const bool has_pitch = inclined.cross(across).squaredNorm() > 1e-20;
+  const bool has_pitch = inclined.cross(across).squaredNorm() > tolerance::pitched;
   return {has_pitch ? turn * tool : Eigen::Quaterniond(0, 0, 0, 0), task.position};
 }
 

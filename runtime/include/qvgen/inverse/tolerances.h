@@ -4,16 +4,47 @@
 // Tolerances near singular poses, each with its reason: the closed forms with their blocks, the quartic's and
 // the elimination's careful forms take them from here. Rounding is 2e-16 of a number. Where two solutions
 // meet it moves a root by its own root, about 1e-8: half the digits.
+//
+// C has its numbers from here, too: its blocks say tolerance_NAME where `double NAME = ...` stands below.
 
 namespace qvgen::inverse::tolerance {
+
+/// Marks a bound of what rounding may do. Float has one of as many of its own digits in C: 1e-7 is 8e-4.
+constexpr double digits(double bound) { return bound; }
+
+/// Marks a number near the end of what double can be, which in C is as near to the end of float.
+constexpr double range(double number) { return number; }
+
+// Callers.
+
+/// How far beyond reach a pose is still solved, as a share of the arm's size, if nothing is said: see
+/// `default_tolerance`.
+inline constexpr double beyond_reach = digits(1e-13);
+/// A joint so far outside its limits, rad or m, is on them: see `limit_tolerance`.
+inline constexpr double on_limit = digits(1e-12);
+/// Farther than any joint, and small enough to be added.
+inline constexpr double farthest_joint = range(1e300);
+/// A seed so far away has lost the digits of whole turns: it is none.
+inline constexpr double lost_centre = digits(1e12);
+/// More whole turns than this are not counted: a half is still a digit of their angle.
+inline constexpr double most_turns = digits(5e8);
+/// A seed of motors beyond this is none: whole turns are lost in its rounding.
+inline constexpr double farthest_seed = digits(1e12);
+
+// Reach, told before any branch is followed.
+
+/// Rounding of a distance's square, as a share.
+inline constexpr double reach_rounding = digits(1e-6);
+/// Squares of distances per square of the size and tolerance: a wrist may be folded beyond reach, too.
+inline constexpr double reach_per_tolerance = 80;
 
 // Ends of the range of an equation, as shares of the range (`Boundary`).
 
 /// Doubtful inside: so near to the end two roots differ by 3e-4, and steps that magnify rounding may swap
 /// them.
-inline constexpr double end_inside = 1e-7;
+inline constexpr double end_inside = digits(1e-7);
 /// Doubtful outside: rounding of earlier steps puts an end no farther out.
-inline constexpr double end_outside = 1e-10;
+inline constexpr double end_outside = digits(1e-10);
 /// Shares of a range per share of the arm's size: no equation's range is smaller than a hundredth of the arm.
 inline constexpr double range_per_size = 100;
 /// Followed from the end in careful passes: farther out Newton's steps do not come back.
@@ -21,65 +52,91 @@ inline constexpr double end_careful = 1e-3;
 /// Beyond every range: the end is taken wherever the equation leads.
 inline constexpr double end_anywhere = 1e3;
 /// Places as far apart as two roots 1e-10 from the end, from which steps lead to two solutions.
-inline constexpr double end_apart = 1e-10;
+inline constexpr double end_apart = digits(1e-10);
 /// A wrist is folded: half of the 1e-12 that no solution may miss its pose by.
-inline constexpr double least_fold = 5e-13;
+inline constexpr double least_fold = digits(5e-13);
 
 // Squares of directions, as multiples of the square that is noise for sure.
 
 /// Rounding can be seen: the direction has lost half its digits.
-inline constexpr double blurred = 1e16;
+inline constexpr double blurred = digits(1e16);
 /// Nearly free: a digit more, for what earlier steps have magnified.
-inline constexpr double nearly_free = 1e18;
+inline constexpr double nearly_free = digits(1e18);
 /// Chosen in place of a wrist's angle behind a double root, which carries half the digits.
-inline constexpr double choosable_behind_double_root = 1e14;
+inline constexpr double choosable_behind_double_root = digits(1e14);
 /// Chosen in place of a wrist's angle elsewhere: Newton's steps have to make good what the choice turns away.
-inline constexpr double choosable = 1e5;
+inline constexpr double choosable = digits(1e5);
 /// The nearer end of a range: earlier equations at their own ends magnify rounding to four digits.
-inline constexpr double magnified_end = 1e8;
+inline constexpr double magnified_end = digits(1e8);
 /// An equation of a free direction holds: eight times the noise.
 inline constexpr double gap = 64;
 /// An equation of a nearly free direction holds: half the digits.
-inline constexpr double gap_careful = 64e14;
+inline constexpr double gap_careful = digits(64e14);
 /// An equation of a stretched arm is not asked for.
-inline constexpr double gap_anything = 1e40;
+inline constexpr double gap_anything = digits(1e40);
 
 // Squares of directions made of unit vectors.
 
 /// Nothing but a choice: a product of two vectors of 1e-5, beside a double root.
-inline constexpr double product_at_double_root = 1e-20;
+inline constexpr double product_at_double_root = digits(1e-20);
 /// The fourth power of 1e-5 over noise (16 eps): the same product, as a multiple of what is noise for sure.
-inline constexpr double noise_at_double_root = 6.3e37;
+inline constexpr double noise_at_double_root = digits(6.3e37);
 /// Two digits are lost.
 inline constexpr double two_digits = 1e-4;
 /// A slide's direction of 1e-12: the slide is as near to the choice as its equation lets it.
-inline constexpr double loose_slide = 1e-24;
+inline constexpr double loose_slide = digits(1e-24);
 /// A discriminant may be rounding: two thousand times the noise of its coefficients, squared.
-inline constexpr double noisy_discriminant = 4e6;
+inline constexpr double noisy_discriminant = digits(4e6);
 /// A divisor, or a length as a share of the size, with six digits: below it a quartic falls apart.
-inline constexpr double lost_divisor = 1e-6;
+inline constexpr double lost_divisor = digits(1e-6);
+
+// Roots of a conic on the unit circle, whose coefficients add up to one.
+
+/// A line's or a conic's direction is noise: the rest of the equation is without it.
+inline constexpr double line_direction = digits(1e-12);
+inline constexpr double conic_direction = digits(1e-13);
+/// A line that misses the circle by less touches it.
+inline constexpr double line_touches = 1e-3;
+/// A root may be double where the slope is less, and steps follow the parabola.
+inline constexpr double little_slope = 1e-3;
+/// Steps go to the extremum if there is no root and the slope is less than this share of the curvature.
+inline constexpr double slope_to_extremum = 1e-2;
+/// A root is an extremum's two if the slope is less than this share of the curvature.
+inline constexpr double slope_of_pair = 1e-4;
+/// Extrema that are nearer are one.
+inline constexpr double same_extremum = 1e-3;
+/// The longest step, rad.
+inline constexpr double longest_step = 0.1;
+/// A candidate's value, as a share of how far outside a range a branch still exists.
+inline constexpr double value_per_accepted = 1e-2;
+/// A simple root's value: what the cubic and the pair of lines leave of the digits.
+inline constexpr double simple_root_value = digits(3e-11);
+/// Simple roots that are nearer are one.
+inline constexpr double same_simple_root = digits(1e-9);
 
 // Newton's steps. Misses are squares, as shares of the squared size.
 
 /// Entries of a Jacobian, and parts of unit vectors, that rounding leaves, in epsilons.
 inline constexpr double noise = 64;
 /// Misses by half the digits squared: steps are not damped.
-inline constexpr double undamped = 1e-12;
+inline constexpr double undamped = digits(1e-12);
 /// Damping as a share of the miss: a tenth keeps the speed and tames what is nearly idle.
 inline constexpr double damping = 1e-1;
 /// Columns with less beyond the others are idle: at a double root rounding leaves 1e-8, elsewhere they are
 /// longer.
-inline constexpr double idle = 1e-5;
+inline constexpr double idle = digits(1e-5);
 /// Steps end here: eight times the rounding of a length.
 inline constexpr double settled = 64;
 /// Steps are stuck if they miss more: sixteen times the rounding of a length.
 inline constexpr double stuck = 256;
 /// Poses may be missed by so many epsilons.
 inline constexpr double reached = 16;
-/// A step at a double root leaves a sixteenth of the squared miss: between these shares it is doubled.
-inline constexpr double least_halved = 0.03, most_halved = 0.13;
+/// A step at a double root leaves a sixteenth of the squared miss: between this share and the next it is
+/// doubled.
+inline constexpr double least_halved = 0.03;
+inline constexpr double most_halved = 0.13;
 /// May be a double root: farther off the curvature of the way tells nothing.
-inline constexpr double double_root_miss = 1e-8;
+inline constexpr double double_root_miss = digits(1e-8);
 
 // Solutions that are one. Distances are sums of squares of cosines' and sines' differences.
 
@@ -100,25 +157,47 @@ inline constexpr double quick_gain = 1e-4;
 // Continua of arms with a quartic, whose roots carry nine to eleven digits.
 
 /// The squared miss of joint values that are nearly on a continuum.
-inline constexpr double nearly_on_continuum = 1e-12;
+inline constexpr double nearly_on_continuum = digits(1e-12);
 /// The miss of a place `way_along` beside values next to a continuum: where two solutions merely meet it is
 /// 1e-4.
-inline constexpr double next_to_continuum = 1e-6;
+inline constexpr double next_to_continuum = digits(1e-6);
 /// Damping of the idle joint's own step, of which the others take nothing away.
 inline constexpr double damping_along = 1e-2;
 /// The farthest that an idle joint goes in a step, rad or share of the size: the way is curved.
 inline constexpr double longest_along = 0.3;
+
+// Rows of a task that has to reach more than its equations say.
+
+/// How far a row may be off for Newton's steps to bring it there, as a share of the size: at regular poses.
+inline constexpr double near_enough = 1e-4;
+/// At singular poses, where a direction may have but two digits.
+inline constexpr double near_enough_singular = 1e-2;
+/// Per square root of the tolerance, which moves a double root.
+inline constexpr double near_enough_by_tolerance = 30;
+/// In any case: farther out steps lead anywhere.
+inline constexpr double near_enough_at_most = 0.3;
+/// Starts that are no farther apart are one.
+inline constexpr double same_start = digits(1e-6);
+/// A direction leans away from an axis, as Eigen tells it in `Quaternion::FromTwoVectors`.
+inline constexpr double leaning = digits(1e-12);
+/// The square of the least part of a tool's direction across the axis that pitches it.
+inline constexpr double pitched = digits(1e-20);
 
 // Rows next to a seed. Distances are squared angles and lengths.
 
 /// No other row needs to be asked for: 10 mrad.
 inline constexpr double by_seed = 1e-4;
 /// Newton's steps may have moved a row along a continuum: 2 mrad.
-inline constexpr double by_seed_on_continuum = 4e-6;
+inline constexpr double by_seed_on_continuum = digits(4e-6);
 /// Two solutions of a fork meet: their distances agree to half the digits.
-inline constexpr double forks_meet = 1e-12;
+inline constexpr double forks_meet = digits(1e-12);
 /// A row on a continuum stands at the seed: steps that rounding makes would add up.
-inline constexpr double at_seed = 1e-12;
+inline constexpr double at_seed = digits(1e-12);
+/// Seed and row miss each other's pose by this share of the way between them, if nothing there is nearly
+/// free.
+inline constexpr double least_miss = 0.05;
+/// A row of the equations misses the pose by rounding alone, in epsilons.
+inline constexpr double row_rounding = 32;
 
 // Poses nearby, at which nothing is free.
 

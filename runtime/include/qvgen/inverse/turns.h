@@ -63,7 +63,7 @@ class TurnLimits {
 
   template <class Room>
   [[nodiscard]] Numbers steps(const Room& room) const {
-    constexpr double most = 5e8;
+    constexpr double most = tolerance::most_turns;
     return nearest_whole(room * per_turn_).min(most);
   }
 

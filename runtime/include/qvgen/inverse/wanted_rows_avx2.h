@@ -138,7 +138,8 @@ class LaneWithin {
   }
 
   [[gnu::always_inline]] void set_limits(int part, __m256d lower, __m256d upper, __m256d seed) {
-    const __m256d far = _mm256_set1_pd(1e300), opposite = _mm256_set1_pd(-1e300);
+    const __m256d far = _mm256_set1_pd(tolerance::farthest_joint),
+                  opposite = _mm256_set1_pd(-tolerance::farthest_joint);
     const __m256d half = _mm256_set1_pd(0.5 * whole_turn - limit_tolerance);
     const __m256d is_range = _mm256_and_pd(
         _mm256_cmp_pd(lower, upper, _CMP_LE_OQ),

@@ -70,22 +70,19 @@ double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& 
   return std::max({error[0], error[1], error[2]});
 }
 
-/// The share of the way between them by which two joint values miss each other's pose if nothing between them
-/// is nearly free.
-inline constexpr double least_miss = 0.05;
-
 /// True if a row of the equations is to be taken although rounding may have decided it: it brings the tool to
 /// the pose, but for rounding, and no joint between the seed and it is nearly free, along which rounding
 /// would have moved it.
 template <int points, int dof>
 bool is_certain_row(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
                     const Solutions<dof, 1>& found, const bool* revolute) {
-  constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = tolerance::row_rounding * std::numeric_limits<double>::epsilon();
   const auto task = matching<points>(arm, pose);
   if (!(miss_square<points>(task, preference<dof>(found[0].q)) <= rounding * rounding * task.size_square))
     return false;
   const double way = apart(found, seed, revolute);
-  return miss_square<points>(task, seed) >= least_miss * least_miss * way * task.size_square;
+  return miss_square<points>(task, seed) >=
+         tolerance::least_miss * tolerance::least_miss * way * task.size_square;
 }
 
 /// True if the seed misses the pose by much less than its way to a row lets expect: some joint between them
@@ -95,7 +92,7 @@ template <int points, int dof>
 bool is_nearly_free(const ArmMatching<dof, points>& task, const Preference<dof>& seed,
                     const JointValues<double, static_cast<std::size_t>(dof)>& start, double row_apart,
                     Budget& budget) {
-  const double least = least_miss * least_miss * row_apart * task.size_square;
+  const double least = tolerance::least_miss * tolerance::least_miss * row_apart * task.size_square;
   if (!budget.step() || miss_square<points>(task, seed) >= 4 * least) return false;
   using Newton = polishing::Newton<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
   return Newton(task).reached(start).error < least;

@@ -114,7 +114,7 @@ class Within {
   static Eigen::Map<const Row> of(const double (&numbers)[size]) { return Eigen::Map<const Row>(numbers); }
 
   /// Farther than any joint, and small enough to be added.
-  static constexpr double far = 1e300;
+  static constexpr double far = tolerance::farthest_joint;
 
   [[gnu::always_inline]] void look_from(const Joints<dof>& seed) {
     std::copy(seed.data(), seed.data() + dof, table_.seed);

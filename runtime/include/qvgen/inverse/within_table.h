@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/constants.h>
+#include <qvgen/inverse/tolerances.h>
+
 /// Numbers of joint limits that rows are compared with. Serves code that may not include Eigen; see within.h.
 namespace qvgen {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands
 /// on its limit to either side. Such a joint is returned on the limit itself.
-inline constexpr double limit_tolerance = 1e-12;
+inline constexpr double limit_tolerance = inverse::tolerance::on_limit;
 
 namespace inverse {
 
-inline constexpr double whole_turn = 6.283185307179586476925;
+using constant::whole_turn;
 
 /// A number for each joint, zeros behind the last.
 template <int size>

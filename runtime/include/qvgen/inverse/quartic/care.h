@@ -50,6 +50,8 @@ struct CarefulSearch {
 
 /// Searches at the pose, then from poses nearby, where nothing is free: near a continuum the joints of a
 /// branch may be noise, and the joints after it may be out of reach.
+///
+/// QuarticPasses.FindWhatOthersLose (tests/inverse/families) fails without `chosen`, and without `other`.
 template <class Search>
 inline constexpr PlannedPass<Search> first_passes[] = {
     {"ends", 1, [](const Search&, int) { return true; },
@@ -76,7 +78,7 @@ inline constexpr PlannedPass<Search> first_passes[] = {
 
 /// Once branches that share a solution are left at that. `held`: an arm with a given joint has another
 /// structure at some of its values (axes that are parallel at zero), where the elimination divides by zero;
-/// it does not at values nearby.
+/// it does not at values nearby. QuarticPasses.FindWhatOthersLose fails without `turned`.
 template <class Search>
 inline constexpr PlannedPass<Search> further_passes[] = {
     {"nearby, held", 4,

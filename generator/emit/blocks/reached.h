@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Definitions of C that public functions need, found by the words of each: the blocks are one text for all
+// robots, and compilers warn of static functions that nobody calls.
+#pragma once
+
+#include <string>
+
+namespace qvgen::emit::blocks {
+
+/// Returns a source of C without the types, constants and static functions that no public function reaches.
+/// What is left keeps its order, its comments and its lines, with one blank line between definitions. Throws
+/// NotInSubset.
+std::string reached(const std::string& source);
+
+}  // namespace qvgen::emit::blocks

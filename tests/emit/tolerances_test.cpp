@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Tolerances stand once: blocks in C name those of the runtime, and the tool puts the numbers there.
+#include "qvgen/inverse/tolerances.h"
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "emit/builtin_templates.h"
+
+namespace qvgen::emit {
+namespace {
+
+const std::regex exponent(R"((^|[^A-Za-z0-9_.])([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+)");
+
+bool has_number_of_its_own(const std::string& line) {
+  return std::regex_search(line.substr(0, line.find("//")), exponent);
+}
+
+TEST(Tolerances, LinesWithNumbersOfTheirOwnAreTold) {
+  for (const char* line : {"a < 1e-7", "(1.5e+3)", "-.5E2;", "1e300 // far"})
+    EXPECT_TRUE(has_number_of_its_own(line)) << line;
+  for (const char* line : {"0x1.8e2p-4 * a", "a1e5", "b; // 1e-7", "6.25 + e2", "two_1e3"})
+    EXPECT_FALSE(has_number_of_its_own(line)) << line;
+}
+
+TEST(Tolerances, BlocksInCHaveNone) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/templates/c/inverse")) {
+    ++files;
+    std::ifstream file(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(file, line);)
+      EXPECT_FALSE(++number > 0 && has_number_of_its_own(line))
+          << entry.path() << ":" << number
+          << ": name it in runtime/include/qvgen/inverse/tolerances.h: " << line;
+  }
+  EXPECT_GT(files, 10);
+}
+
+TEST(Tolerances, NamesBecomeTheRuntimesNumbers) {
+  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
+  EXPECT_FALSE(std::regex_search(blocks, std::regex("tolerance_[a-z]")));
+  std::smatch found;
+  ASSERT_TRUE(
+      std::regex_search(blocks, found, std::regex(R"(b\.beyond = digits\(([-0-9e.]+)\) \+ ([0-9]+) \*)")));
+  EXPECT_EQ(std::stod(found[1]), inverse::tolerance::end_outside);
+  EXPECT_EQ(std::stod(found[2]), inverse::tolerance::range_per_size);
+}
+
+}  // namespace
+}  // namespace qvgen::emit
