@@ -135,6 +135,7 @@ void add_show(CommandLine& line) {
                    "the functions that were generated, and why any is missing");
   add_output(line, command, "for --functions: folder that was generated");
   add_reading(command, line.show.read);
+  add_tips(command, line.show.read);
 }
 
 void add_format(CLI::App& command, ReportFormat& format) {
@@ -197,6 +198,7 @@ void add_compare(CommandLine& line) {
       ->capture_default_str();
   add_format(command, line.compare.format);
   add_reading(command, line.compare.read);
+  add_tips(command, line.compare.read);
   command.footer(std::string("\nexamples:") + compare_examples);
 }
 
@@ -224,6 +226,7 @@ void add_report(CommandLine& line) {
       ->type_name("FILE");
   command.add_flag("--force", line.report.force, "also robots that have not changed");
   add_reading(command, line.report.read);
+  add_tips(command, line.report.read);
   command.footer(std::string("\nexamples:") + report_examples);
 }
 

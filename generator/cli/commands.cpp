@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "canonical/dh_table.h"
+#include "cli/limbs.h"
 #include "cli/suggestion.h"
 #include "description/reader.h"
 #include "description/write.h"
@@ -216,12 +217,37 @@ int show_loops(const model::Mechanism& mechanism) {
   });
 }
 
+/// Shows a whole robot: which joint carries which, then each limb as a chain.
+int show_limbs(const description::ReadResult& result, const ShowArguments& arguments) {
+  if (arguments.dynamics) {
+    fmt::print(
+        stderr,
+        "qvgen: {} branches, and joint forces of a limb alone are not the robot's: name a chain, --tip {}\n",
+        result.robot->name, result.tips.front().name);
+    return failure;
+  }
+  const std::vector<description::ReadResult> limbs = limbs_of(result);
+  pipeline::Budget budget;
+  budget.seconds *= limbs.size();
+  return pipeline::bounded("show " + result.robot->name, budget, [&] {
+    for (const std::string& line : tree_lines(result)) fmt::print("{}\n", line);
+    int code = success;
+    for (const description::ReadResult& limb : limbs) {
+      fmt::print("\n{}:\n", limb.robot->name);
+      std::fflush(stdout);
+      code = std::max(code, show(*limb.robot, arguments));
+    }
+    return code;
+  });
+}
+
 }  // namespace
 
 int run_show(const ShowArguments& arguments) {
   const auto results = read_descriptions({arguments.description}, arguments.read);
   if (!results) return bad_description;
   if (!results->front().loops.empty()) return show_loops(mechanism_of(results->front()));
+  if (!results->front().tips.empty()) return show_limbs(results->front(), arguments);
   const auto robots = robots_of(*results);
   if (!robots) return bad_description;
   return pipeline::bounded("show " + robots->front().name, {},

@@ -141,8 +141,9 @@ model::Mechanism mechanism_of(const description::ReadResult& result);
 /// Likewise for commands that work on chains: a robot whose joints branch is an error, which names its tips.
 std::optional<std::vector<description::ReadResult>> read_chains(
     const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
-std::optional<std::vector<model::Robot>> read_robots(const std::vector<std::filesystem::path>& paths,
-                                                     const description::ReadOptions& options);
+/// Likewise for commands that work on chains and on limbs of whole robots: closed loops are an error.
+std::optional<std::vector<description::ReadResult>> read_open(const std::vector<std::filesystem::path>& paths,
+                                                              const description::ReadOptions& options);
 
 /// Returns robots that were read; nothing if the joints of one branch, which is reported.
 std::optional<std::vector<model::Robot>> robots_of(const std::vector<description::ReadResult>& results);

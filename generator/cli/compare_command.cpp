@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/compare_report.h"
 #include "cli/compare_timing.h"
+#include "cli/limbs.h"
 #include "cli/progress_line.h"
 #include "compare/comparison_json.h"
 #include "model/followers.h"
@@ -40,7 +41,9 @@ compare::Row row_of(const ordered_json& json) {
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
-  auto robots = read_robots(arguments.descriptions, arguments.read);
+  const auto descriptions = read_open(arguments.descriptions, arguments.read);
+  if (!descriptions) return bad_description;
+  auto robots = robots_of(limbs_of(*descriptions));
   if (!robots) return bad_description;
   compare::Request request = arguments.request;
   request.code = arguments.time;

@@ -24,10 +24,10 @@ void add_data(CLI::App& command, IdentifyArguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
-      .add_option("--plan", arguments.plan,
-                  "no log: write a motion of so many seconds that tells much, within limits of position and "
-                  "speed, as "
-                  "a table")
+      .add_option(
+          "--plan", arguments.plan,
+          "no log: write a motion of so many seconds that tells much, within limits of position, speed and "
+          "torque, as a table")
       ->type_name("SECONDS")
       ->check(CLI::Range(1.0, 3600.0).description(""))
       ->excludes("LOGS");

@@ -181,10 +181,21 @@ std::optional<std::vector<model::Robot>> robots_of(const std::vector<ReadResult>
   return robots;
 }
 
-std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
-                                                     const ReadOptions& options) {
-  const auto results = read_descriptions(paths, options);
-  return results ? robots_of(*results) : std::nullopt;
+std::optional<std::vector<ReadResult>> read_open(const std::vector<fs::path>& paths,
+                                                 const ReadOptions& options) {
+  auto results = read_descriptions(paths, options);
+  if (!results) return std::nullopt;
+  bool good = true;
+  for (const ReadResult& result : *results) {
+    if (result.loops.empty()) continue;
+    Diagnostic diagnostic = result.name_place;
+    diagnostic.message = "this command takes joints that all are free, and the robot has closed loops";
+    diagnostic.hint = "qvgen show prints how they are assembled";
+    print_diagnostics({diagnostic});
+    good = false;
+  }
+  if (!good) return std::nullopt;
+  return results;
 }
 
 }  // namespace qvgen::cli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/limbs.h"
 #include "cli/origin.h"
 #include "cli/progress_line.h"
 #include "pipeline/files.h"
@@ -22,17 +23,18 @@ struct Task {
 };
 
 std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingredients& ingredients,
-                           std::vector<description::ReadResult> descriptions) {
+                           const std::vector<description::ReadResult>& descriptions) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
-    model::Robot& robot = *descriptions[i].robot;
-    const auto& file = arguments.descriptions[i];
-    const std::string origin = pipeline::origin_of(file, arguments.output, arguments.known_robots) +
-                               origin_options(arguments.read) + " report";
-    const std::string made_of =
-        fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read),
-                    descriptions[i].text, report::made_of(robot.name, ingredients));
-    tasks.push_back({std::move(robot), origin, pipeline::fingerprint(made_of)});
+    const std::string origin =
+        pipeline::origin_of(arguments.descriptions[i], arguments.output, arguments.known_robots) +
+        origin_options(arguments.read) + " report";
+    for (const description::ReadResult& limb : limbs_of(descriptions[i])) {
+      const std::string made_of =
+          fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read), limb.text,
+                      report::made_of(limb.robot->name, ingredients));
+      tasks.push_back({*limb.robot, origin, pipeline::fingerprint(made_of)});
+    }
   }
   return tasks;
 }
@@ -92,7 +94,7 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
 }  // namespace
 
 int run_report(const ReportArguments& arguments) {
-  auto descriptions = read_chains(arguments.descriptions, arguments.read);
+  const auto descriptions = read_open(arguments.descriptions, arguments.read);
   if (!descriptions) return bad_description;
   pipeline::check_folder(arguments.output,
                          report::common_pages(nlohmann::ordered_json::object(), errata(arguments)),
@@ -100,7 +102,7 @@ int run_report(const ReportArguments& arguments) {
   const auto runtime = runtime_sources(arguments);
   const report::Ingredients ingredients{arguments.generated, runtime ? &*runtime : nullptr,
                                         report::read_times(arguments.times)};
-  const std::vector<Task> tasks = tasks_of(arguments, ingredients, std::move(*descriptions));
+  const std::vector<Task> tasks = tasks_of(arguments, ingredients, *descriptions);
   const FolderUpdate update = update_of(arguments, ingredients, tasks);
   const pipeline::FolderChange change = pipeline::update_folder(arguments.output, update);
   fmt::print(stderr, "{} {} in {}: {} made, {} files changed, {} removed\n", tasks.size(),

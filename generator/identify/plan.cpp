@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "identify/prior.h"
 #include "model/evaluate.h"
 #include "model/followers.h"
 
@@ -122,6 +124,53 @@ Estimate expected(const ArmRegressor& arm, const MotionLog& log) {
   return estimate(equations_of(arm, log), arm.parameters(), VectorXd::Ones(log.joints()));
 }
 
+/// Torques that the described arm needs, beside its limits.
+class Load {
+ public:
+  Load(const model::Robot& robot, const ArmRegressor& arm) : arm_(arm) {
+    const model::Bindings values = model::default_bindings(robot);
+    const auto joints = model::driven_joints(robot);
+    limits_ = VectorXd::Constant(static_cast<Index>(joints.size()), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      if (joints[i].greatest_effort)
+        limits_[static_cast<Index>(i)] = number(*joints[i].greatest_effort, values);
+    if (const auto described = described_parameters(robot)) parameters_ = arm.combination * *described;
+  }
+
+  [[nodiscard]] bool known() const { return parameters_.size() > 0 && (limits_.array() < HUGE_VAL).any(); }
+  /// Returns the greatest share of a limit that a motion needs.
+  [[nodiscard]] double share_of(const MotionLog& motion) const {
+    const MatrixXd torque = predicted(arm_, motion, parameters_);
+    return (torque.cwiseAbs().colwise().maxCoeff().transpose().array() / limits_.array()).maxCoeff();
+  }
+
+ private:
+  const ArmRegressor& arm_;
+  VectorXd limits_, parameters_;
+};
+
+/// A motion made smaller about the middle of all ranges.
+void shrink(const std::vector<Range>& ranges, double factor, MotionLog& log) {
+  for (MatrixXd* part : {&log.qd, &log.qdd}) *part *= factor;
+  for (Index i = 0; i < log.joints(); ++i) {
+    const double middle = ranges[static_cast<std::size_t>(i)].middle;
+    log.q.col(i) = middle + factor * (log.q.col(i).array() - middle);
+  }
+}
+
+/// Makes a motion so small that its torques stay within a share of the limits; returns whether that is
+/// possible.
+bool make_bearable(const Load& load, const std::vector<Range>& ranges, double share, MotionLog& log) {
+  constexpr int most_steps = 20;
+  constexpr double step = 0.85;
+  if (!load.known()) return true;
+  for (int i = 0; i < most_steps; ++i) {
+    if (load.share_of(log) <= share) return true;
+    shrink(ranges, step, log);
+  }
+  return false;
+}
+
 /// Logarithm of the determinant of the information; each parameter that is not told counts as a catastrophe.
 double information_of(const Estimate& estimate) {
   double sum = 0;
@@ -132,8 +181,9 @@ double information_of(const Estimate& estimate) {
 
 class Search {
  public:
-  Search(const ArmRegressor& arm, const std::vector<Range>& ranges, double seconds)
-      : arm_(arm), ranges_(ranges), seconds_(seconds) {}
+  Search(const ArmRegressor& arm, const std::vector<Range>& ranges, const Load& load,
+         const PlanRequest& request)
+      : arm_(arm), ranges_(ranges), load_(load), request_(request) {}
 
   Series best(int trials) {
     const auto joints = static_cast<Index>(ranges_.size());
@@ -148,7 +198,9 @@ class Search {
 
  private:
   void consider(const Series& series) {
-    const double found = information_of(expected(arm_, motion_of(ranges_, series, seconds_, trial_rate)));
+    MotionLog motion = motion_of(ranges_, series, request_.seconds, trial_rate);
+    make_bearable(load_, ranges_, request_.share, motion);
+    const double found = information_of(expected(arm_, motion));
     if (best_.size() > 0 && !(found > most_)) return;
     best_ = series;
     most_ = found;
@@ -156,7 +208,9 @@ class Search {
 
   const ArmRegressor& arm_;
   const std::vector<Range>& ranges_;
-  double seconds_, most_ = 0;
+  const Load& load_;
+  const PlanRequest& request_;
+  double most_ = 0;
   Series best_;
   std::mt19937_64 random_{1};
   std::normal_distribution<double> normal_;
@@ -167,10 +221,18 @@ class Search {
 Plan plan(const model::Robot& robot, const PlanRequest& request) {
   const std::vector<Range> ranges = ranges_of(robot, request);
   ArmRegressor arm = arm_regressor(robot, request.drives);
-  const Series series = Search(arm, ranges, request.seconds).best(request.trials);
+  const Load load(robot, arm);
+  const Series series = Search(arm, ranges, load, request).best(request.trials);
   MotionLog motion = motion_of(ranges, series, request.seconds, request.rate);
+  if (!make_bearable(load, ranges, request.share, motion))
+    throw std::runtime_error(
+        fmt::format("in the middle of its ranges alone the arm needs more than {:.0f} % of an effort limit: "
+                    "correct the limits, or the inertias, or the ranges",
+                    100 * request.share));
+  std::optional<double> effort;
+  if (load.known()) effort = load.share_of(motion);
   const Estimate estimate = expected(arm, motion);
-  return {std::move(motion), estimate.condition, std::move(arm), estimate.deviation};
+  return {std::move(motion), estimate.condition, std::move(arm), estimate.deviation, effort};
 }
 
 std::string plan_summary(const Plan& plan) {
@@ -179,6 +241,9 @@ std::string plan_summary(const Plan& plan) {
                   plan.motion.samples(), plan.condition);
   for (Index k = 0; k < plan.deviation.size(); ++k)
     text += fmt::format("{:<16}{:>12.2g}\n", plan.arm.names[static_cast<std::size_t>(k)], plan.deviation[k]);
+  text += plan.effort ? fmt::format("torques of the described arm: at most {:.0f} % of its effort limits\n",
+                                    100 * *plan.effort)
+                      : "torques were not looked at: the description lacks inertias, or effort limits\n";
   return text;
 }
 

@@ -123,6 +123,24 @@ VectorXd drives_of(const model::Robot& robot, const model::Bindings& values, dou
 
 }  // namespace
 
+std::optional<VectorXd> described_parameters(const model::Robot& robot) {
+  const model::Bindings values = model::default_bindings(robot);
+  std::vector<PseudoInertia> links;
+  for (const model::Joint& joint : robot.joints) {
+    const auto link = described(joint.inertia, values);
+    if (!link) return std::nullopt;
+    links.push_back(*link);
+  }
+  VectorXd result = values_of_links(links);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const model::Drive& drive = robot.joints[i].drive;
+    result.segment<3>(static_cast<Index>(10 * links.size() + 4 * i))
+        << positive_or(drive.rotor_inertia, values, 0),
+        positive_or(drive.viscous_friction, values, 0), positive_or(drive.coulomb_friction, values, 0);
+  }
+  return result;
+}
+
 std::vector<bool> described_links(const model::Robot& robot) {
   const model::Bindings values = model::default_bindings(robot);
   std::vector<bool> result;

@@ -115,7 +115,10 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
 bool is_of_fixed_bases(const std::string& part, const model::Robot& robot, RobotOutput& output) {
   static const std::vector<std::string> parts{"mass", "regressor_with_drives"};
   if (!robot.floating_base || !contains(parts, part)) return false;
-  output.missing.push_back({part, Missing::Kind::not_described, "the base floats: it is of fixed bases"});
+  output.missing.push_back(
+      {part, Missing::Kind::not_described,
+       part == "mass" ? "the base floats: qvgen/centroidal.h has mass and centre, by momentum_matrix"
+                      : "the base floats: it is of fixed bases"});
   return true;
 }
 

@@ -66,6 +66,30 @@ TEST(Kinds, SeveralTargetsOnTheTool) {
   EXPECT_LE(greatest_residual(scene, found), 2e-4);
 }
 
+/// Rows of a worse instrument count as little as they say: mixed with others they do no harm.
+TEST(Kinds, DeviationsOfRowsWeighThem) {
+  Scene scene = scene_of("ur5", 12);
+  stand_anywhere(scene);
+  scene.noise = 5e-5;
+  DataSet set = measure(scene, 60);
+  Scene coarse = scene;
+  coarse.noise = 5e-3;
+  for (Measurement row : measure(coarse, 60).rows) {
+    row.sigma = row.sigma_angle = coarse.noise;
+    set.rows.push_back(row);
+  }
+  for (std::size_t i = 0; i < 60; ++i) set.rows[i].sigma = set.rows[i].sigma_angle = scene.noise;
+  set.sigma_known = true;
+  DataSet equal = set;
+  for (Measurement& row : equal.rows) row.sigma = row.sigma_angle = scene.noise;
+  const Calibration found = calibrated_kind(scene, set, {});
+  EXPECT_NEAR(found.misfit, 1, 0.1);
+  EXPECT_LE(found.outliers.size(), 1U);
+  EXPECT_LE(greatest_residual(scene, found), 3e-4);
+  EXPECT_GE(calibrated_kind(scene, equal, {}).outliers.size(), 50U)
+      << "the coarse rows stand out of equal ones";
+}
+
 TEST(Kinds, GearsThatAreEccentric) {
   Scene scene = scene_of("ur5", 9, 0);
   stand_anywhere(scene);

@@ -51,7 +51,7 @@ TEST(Derivatives, UnevenTimesAreExactToo) {
   expect_exact(log, 4, 196);
 }
 
-/// Of numbers that no polynomial has, the nearest quartic is taken: Eigen's decomposition finds the same one.
+/// Numbers that no polynomial has: Eigen's decomposition finds the same nearest quartic.
 TEST(Derivatives, UnevenTimesGiveTheNearestQuartic) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> step(0.0005, 0.0015), number(-1, 1);

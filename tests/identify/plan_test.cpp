@@ -49,6 +49,48 @@ TEST(Plan, KeepsLimitsAndTellsAll) {
   EXPECT_EQ(identify::plan(read_arm(text), request).motion.q, motion.q);  // the same again
 }
 
+/// The greatest share of a limit of torque, by the tests' own dynamics.
+double effort_of(const std::string& text, MotionLog motion, const VectorXd& limits) {
+  fill_torques(reference::load_text(text), motion);
+  return (motion.torque.cwiseAbs().colwise().maxCoeff().transpose().array() / limits.array()).maxCoeff();
+}
+
+std::string with_efforts(std::string text, const VectorXd& limits) {
+  std::size_t at = 0;
+  for (const double limit : limits) {
+    const std::string line = "effort_limit = " + std::to_string(limit) + "\n";
+    at = text.find("origin", at);
+    text.insert(at, line);
+    at += line.size() + 6;
+  }
+  return text;
+}
+
+TEST(Plan, KeepsLimitsOfTorque) {
+  const std::string text = limited(ArmWriter(3).text("RRR"));
+  identify::PlanRequest request;
+  request.trials = 30;
+  const identify::Plan free = identify::plan(read_arm(text), request);
+  EXPECT_FALSE(free.effort);
+  // Four fifths of what the motion needs that knows no limits; all of it is 1 / 0.8.
+  MotionLog motion = free.motion;
+  fill_torques(reference::load_text(text), motion);
+  const VectorXd limits = motion.torque.cwiseAbs().colwise().maxCoeff().transpose();
+  const std::string tight = with_efforts(text, limits);
+  EXPECT_NEAR(effort_of(text, free.motion, limits), 1, 1e-12);
+  const identify::Plan plan = identify::plan(read_arm(tight), request);
+  ASSERT_TRUE(plan.effort);
+  EXPECT_LE(*plan.effort, 0.8);
+  EXPECT_NEAR(effort_of(text, plan.motion, limits), *plan.effort, 1e-5);
+  EXPECT_GT(*plan.effort, 0.6) << "smaller than it has to be";
+  EXPECT_GT(plan.deviation.minCoeff(), 0);
+  for (Index k = 1; k + 1 < plan.motion.samples(); ++k)
+    for (Index i = 0; i < 3; ++i)
+      EXPECT_NEAR(plan.motion.qd(k, i), (plan.motion.q(k + 1, i) - plan.motion.q(k - 1, i)) * 50, 0.1);
+  EXPECT_THROW(identify::plan(read_arm(with_efforts(text, limits / 100)), request), std::runtime_error);
+  EXPECT_FALSE(identify::plan(read_arm(without_inertia(tight)), request).effort);
+}
+
 TEST(Plan, SlidesNeedLimits) {
   EXPECT_THROW(identify::plan(read_arm(ArmWriter(3).text("PR")), {}), std::runtime_error);
 }
