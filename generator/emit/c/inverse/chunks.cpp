@@ -127,13 +127,23 @@ std::vector<Chunk> reached(const std::vector<Chunk>& chunks) {
   return result;
 }
 
+std::string text_of(const std::vector<Chunk>& chunks) {
+  std::string text;
+  for (const Chunk& chunk : chunks) text += (text.empty() ? "" : "\n") + chunk.comment + chunk.code();
+  return text;
+}
+
 }  // namespace
 
-std::string needed(const std::string& source) {
-  std::string text;
-  for (const Chunk& chunk : reached(chunks_of(source)))
-    text += (text.empty() ? "" : "\n") + chunk.comment + chunk.code();
-  return text;
+std::string needed(const std::string& source) { return text_of(reached(chunks_of(source))); }
+
+std::string needed_by(const std::string& function, const std::string& source) {
+  std::vector<Chunk> chunks = chunks_of(source);
+  chunks.erase(
+      std::remove_if(chunks.begin(), chunks.end(), [](const Chunk& each) { return each.is_public(); }),
+      chunks.end());
+  for (const Chunk& each : chunks_of(function)) chunks.push_back(each);
+  return text_of(reached(chunks));
 }
 
 }  // namespace qvgen::emit::c

@@ -9,4 +9,7 @@ namespace qvgen::emit::c {
 /// that nothing reaches from there go. Compilers warn of them.
 std::string needed(const std::string& source);
 
+/// Returns the part of a C source that a function needs, and behind it that function, which is given as text.
+std::string needed_by(const std::string& function, const std::string& source);
+
 }  // namespace qvgen::emit::c
