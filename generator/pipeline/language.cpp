@@ -27,13 +27,6 @@ std::vector<Lack> lacks_of_translations() {
   return lacks;
 }
 
-/// Kernels have no loops that differ from thread to thread yet.
-std::vector<Lack> lacks_of_devices() {
-  std::vector<Lack> lacks = lacks_of_translations();
-  lacks.push_back({{"inverse"}, "kernels are of functions without branches"});
-  return lacks;
-}
-
 }  // namespace
 
 const std::vector<LanguageRow>& languages() {
@@ -53,9 +46,9 @@ const std::vector<LanguageRow>& languages() {
        "functions of Octave and MATLAB in octave/, over columns; all of them compiled (MEX)",
        "double, the bits of C", lacks_of_translations()},
       {Language::opencl, "opencl", "kernels in opencl/, a configuration a thread",
-       "double, C's but for the device's sines", lacks_of_devices()},
+       "double, C's but for the device's sines", lacks_of_translations()},
       {Language::cuda, "cuda", "kernels in cuda/, a configuration a thread",
-       "double, C's but for the device's sines", lacks_of_devices()}};
+       "double, C's but for the device's sines", lacks_of_translations()}};
   return table;
 }
 

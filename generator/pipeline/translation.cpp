@@ -23,20 +23,23 @@ std::vector<emit::blocks::File> files_of(const RobotOutput& output) {
   return files;
 }
 
-std::string content(const std::vector<emit::blocks::File>& files, bool is_header) {
+std::string content(const std::vector<emit::blocks::File>& files, const std::string& module, bool is_header) {
   const auto found = std::find_if(files.begin(), files.end(), [&](const emit::blocks::File& each) {
-    return each.module.empty() && each.is_header == is_header;
+    return each.module == module && each.is_header == is_header;
   });
   return found == files.end() ? "" : found->text;
 }
 
-/// Kernels of the robot's main files.
+/// Kernels of the robot's functions, and of all solutions of its poses.
 OutputFile kernels(const std::string& path, Language language, const emit::blocks::Unit& unit,
                    const std::vector<emit::blocks::File>& files, const std::vector<std::string>& missing) {
   const bool is_opencl = language == Language::opencl;
   const auto device = is_opencl ? emit::kernels::Device::opencl : emit::kernels::Device::cuda;
   return {path + (is_opencl ? ".cl" : ".cu"),
-          emit::kernels::file(device, unit, content(files, true), content(files, false), missing)};
+          emit::kernels::file(device, unit,
+                              {content(files, "", true), content(files, "", false),
+                               content(files, "inverse", true), content(files, "inverse", false)},
+                              missing)};
 }
 
 }  // namespace

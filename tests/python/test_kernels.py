@@ -33,9 +33,9 @@ def robot(description):
     return qvgen.robots.ns if description == "ns" else qvgen.load(description)
 
 
-def text_of(description, robot, language, folder):
-    subprocess.run([str(_tool.tool()), "generate", str(description), "--language", language, "--output", str(folder), "--quiet"],
-                   check=True)
+def text_of(description, robot, language, folder, *options):
+    subprocess.run([str(_tool.tool()), "generate", str(description), "--language", language, "--output", str(folder), "--quiet",
+                    *options], check=True)
     ending = {"opencl": "cl", "cuda": "cu"}[language]
     return folder / language / f"qvgen_{robot.__name__}.{ending}"
 
@@ -72,19 +72,23 @@ def cases(robot):
     return [each for each in found if each.wanted.size]
 
 
-def test_cuda_on_the_host(description, robot, tmp_path):
-    text = text_of(description, robot, "cuda", tmp_path).read_text()
-    source = tmp_path / "host.cpp"
-    source.write_text(STAND_INS + text)
+def on_the_host(description, robot, folder, *options):
+    """The kernels of CUDA as a library of C++, whose threads go_to sets."""
+    source = folder / "host.cpp"
+    source.write_text(STAND_INS + text_of(description, robot, "cuda", folder, *options).read_text())
     options = ["-std=c++17", "-O1", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno", "-Wno-unused-function"]
-    subprocess.run(["c++", *options, "-Wall", "-Werror", str(source), "-o", str(tmp_path / "host.so")], check=True)
-    library = ctypes.CDLL(str(tmp_path / "host.so"))
+    subprocess.run(["c++", *options, "-Wall", "-Werror", str(source), "-o", str(folder / "host.so")], check=True)
+    return ctypes.CDLL(str(folder / "host.so"))
 
-    def struct_of(values):
-        class Constants(ctypes.Structure):
-            _fields_ = [(f"x{i}", ctypes.c_double) for i in range(len(values))]
-        return Constants(*values)
 
+def struct_of(values):
+    class Constants(ctypes.Structure):
+        _fields_ = [(f"x{i}", ctypes.c_double) for i in range(len(values))]
+    return Constants(*values)
+
+
+def test_cuda_on_the_host(description, robot, tmp_path):
+    library = on_the_host(description, robot, tmp_path)
     every = cases(robot)
     assert len(every) > 15
     for case in every:
@@ -100,6 +104,61 @@ def test_cuda_on_the_host(description, robot, tmp_path):
             library.go_to(ctypes.c_size_t(thread))
             getattr(library, case.name)(ctypes.c_size_t(COUNT), *arguments, ctypes.c_void_p(got.ctypes.data))
         np.testing.assert_array_equal(got.T, case.wanted, err_msg=case.name)
+
+
+class Poses:
+    """Poses for the kernel of inverse kinematics: random ones, singular ones, ones out of reach, ones with NaN."""
+
+    def __init__(self, robot):
+        random = np.random.default_rng(5)
+        turns = random.choice([0, np.pi / 2, np.pi], (8, robot.dof))
+        q = np.concatenate([random.uniform(-1.5, 1.5, (60, robot.dof)), turns, turns[:4] + 1e-9])
+        self.poses = robot.forward_kinematics(q)
+        self.poses[:4, 4] += 3
+        self.far_away = qvgen.Status.unreachable if all(robot.is_revolute) else qvgen.Status.solved
+        self.poses[4, 5], self.poses[5, 0] = np.nan, np.nan
+        self.poses[6, :4] *= 1.1  # no rotation
+        self.capacity, self.dof = robot.inverse_kinematics(self.poses[0]).q.shape
+        self.wanted = robot.inverse_kinematics(self.poses)
+        self.results = [np.full((self.capacity * self.dof, len(q)), 7.0), np.full((self.capacity, len(q)), 7, np.int32),
+                        np.full(len(q), 7, np.int32), np.full(len(q), 7, np.int32)]
+        self.given = [np.ascontiguousarray(self.poses[:, :4].T), np.ascontiguousarray(self.poses[:, 4:].T)]
+
+    def compare(self, **tolerances):
+        """Rows, branches and statuses are those of C, but of poses that are doubtful."""
+        q, branch, count, status = self.results
+        sure = status != 5
+        kinds = self.wanted.status
+        assert sure[7:60].mean() > 0.95 and (kinds[:4] == self.far_away).all() and (sure[:4].all() or self.dof < 6)
+        assert (kinds[4:7] == qvgen.Status.invalid).all() and ((kinds == qvgen.Status.singular).any() or self.dof < 6)
+        assert not sure[(kinds == qvgen.Status.singular) | (kinds == qvgen.Status.invalid)].any()
+        np.testing.assert_array_equal(status[sure], self.wanted.status[sure])
+        np.testing.assert_array_equal(count, np.where(sure, self.wanted.count, 0))
+        np.testing.assert_array_equal(branch.T[sure], self.wanted.branch[sure])
+        rows = np.moveaxis(q.reshape(self.capacity, self.dof, -1), -1, 0)
+        np.testing.assert_allclose(rows[sure], self.wanted.q[sure], **tolerances)
+        assert np.isnan(rows[~sure]).all() and (branch.T[~sure] == -1).all()
+
+
+SOLVED = ("--only", "kinematics,inverse")
+
+
+@pytest.fixture(params=["ns", "planar_3r", "puma560"])
+def solved(request):
+    """Robots with all solutions of a pose: one whose slide reaches far away, one of three joints, one that turns alone."""
+    return getattr(qvgen.robots, request.param)
+
+
+def test_all_solutions_of_cuda_on_the_host(solved, tmp_path):
+    library, case = on_the_host(solved.__name__, solved, tmp_path, *SOLVED), Poses(solved)
+    kernel = getattr(library, f"{solved.__name__}_inverse_kinematics_batch")
+    pointers = [ctypes.c_void_p(each.ctypes.data) for each in [*case.given, *case.results]]
+    constants = [struct_of(list(solved.default_geometry.values()))] if solved.default_geometry else []
+    constants.append(ctypes.c_double(1e-13))
+    for thread in range(len(case.poses) + 3):
+        library.go_to(ctypes.c_size_t(thread))
+        kernel(ctypes.c_size_t(len(case.poses)), *pointers[:2], *constants, *pointers[2:])
+    case.compare(rtol=0, atol=0)
 
 
 def context_of(cl):
@@ -127,6 +186,22 @@ def test_opencl(description, robot, tmp_path):
         cl.enqueue_copy(queue, got, result)
         size = max(1, np.abs(case.wanted).max())
         np.testing.assert_allclose(got.T, case.wanted, atol=1e-13 * size, rtol=1e-11, err_msg=case.name)
+
+
+def test_all_solutions_of_opencl(solved, tmp_path):
+    cl = pytest.importorskip("pyopencl")
+    context, case = context_of(cl), Poses(solved)
+    queue = cl.CommandQueue(context)
+    program = cl.Program(context, text_of(solved.__name__, solved, "opencl", tmp_path, *SOLVED).read_text()).build()
+    flags = cl.mem_flags.READ_WRITE | cl.mem_flags.COPY_HOST_PTR
+    given, results = ([cl.Buffer(context, flags, hostbuf=each) for each in arrays] for arrays in (case.given, case.results))
+    count = len(case.poses)
+    kernel = getattr(program, f"{solved.__name__}_inverse_kinematics_batch")
+    constants = [np.array(list(solved.default_geometry.values())).tobytes()] if solved.default_geometry else []
+    kernel(queue, (count + 24,), None, np.uint64(count), *given, *constants, np.float64(1e-13), *results)
+    for array, buffer in zip(case.results, results):
+        cl.enqueue_copy(queue, array, buffer)
+    case.compare(rtol=0, atol=1e-11)
 
 
 def test_what_the_readme_shows(tmp_path, monkeypatch):

@@ -92,13 +92,15 @@ struct Wanted {
   }
 };
 
-std::vector<Definition> reached_from_public(const std::vector<Definition>& all) {
+/// Returns the definitions that `is_root` takes, and those that these need, in their order.
+template <class IsRoot>
+std::vector<Definition> reached_from(const std::vector<Definition>& all, const IsRoot& is_root) {
   std::vector<bool> is_needed(all.size(), false);
   Wanted wanted;
   for (bool grows = true; grows;) {
     grows = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (is_needed[i] || !(all[i].is_public() || wanted.has(all[i]))) continue;
+      if (is_needed[i] || !(is_root(all[i]) || wanted.has(all[i]))) continue;
       is_needed[i] = grows = true;
       wanted.add(all[i]);
     }
@@ -116,12 +118,9 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-}  // namespace
-
-std::string reached(const std::string& source) {
-  const std::vector<std::string> lines = split_lines(source);
+std::string text_of(const std::vector<Definition>& definitions, const std::vector<std::string>& lines) {
   std::string text;
-  for (const Definition& each : reached_from_public(definitions_of({"blocks", "", false, source}))) {
+  for (const Definition& each : definitions) {
     const Token &first = each.tokens.front(), &last = each.tokens.back();
     if (!text.empty()) text += "\n";
     for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
@@ -129,6 +128,24 @@ std::string reached(const std::string& source) {
         text += own + "\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::string reached(const std::string& source) {
+  const auto is_public = [](const Definition& each) { return each.is_public(); };
+  return text_of(reached_from(definitions_of({"blocks", "", false, source}), is_public), split_lines(source));
+}
+
+std::string reached_by(const std::string& function, const std::string& source) {
+  const std::string text = source + "\n" + function;
+  const int own_lines = static_cast<int>(std::count(source.begin(), source.end(), '\n')) + 1;
+  const auto is_own = [&](const Definition& each) { return each.tokens.front().line > own_lines; };
+  std::vector<Definition> all = definitions_of({"blocks", "", false, text});
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Definition& each) { return each.is_public() && !is_own(each); }),
+            all.end());
+  return text_of(reached_from(all, is_own), split_lines(text));
 }
 
 }  // namespace qvgen::emit::blocks

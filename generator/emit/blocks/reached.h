@@ -12,4 +12,8 @@ namespace qvgen::emit::blocks {
 /// NotInSubset.
 std::string reached(const std::string& source);
 
+/// Returns those of its types, constants and static functions that a function needs, and behind them that
+/// function, which is given as text.
+std::string reached_by(const std::string& function, const std::string& source);
+
 }  // namespace qvgen::emit::blocks

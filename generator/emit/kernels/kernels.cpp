@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "emit/blocks/analysis.h"
+#include "emit/kernels/device_text.h"
+#include "emit/kernels/inverse.h"
 #include "emit/render.h"
 
 namespace qvgen::emit::kernels {
@@ -16,49 +17,6 @@ namespace {
 using blocks::Type;
 using blocks::TypeRef;
 using nlohmann::json;
-
-bool begins(const std::string& line, const std::string& with) { return line.rfind(with, 0) == 0; }
-
-/// Copies C without what devices do not have: lines of the preprocessor, constants at file scope with their
-/// comments, and what is for C++ alone. Functions get a mark in front.
-class DeviceText {
- public:
-  explicit DeviceText(std::string robot) : robot_(std::move(robot)) {}
-
-  std::string of(const std::string& text) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) take(line);
-    return kept_ + comment_;
-  }
-
- private:
-  void take(const std::string& line) {
-    if (is_for_cxx_) {
-      is_for_cxx_ = !begins(line, "#endif");
-    } else if (is_constant_) {
-      is_constant_ = line.back() != ';';
-    } else if (begins(line, "#")) {
-      is_for_cxx_ = begins(line, "#ifdef __cplusplus");
-    } else if (begins(line, "extern const ") || begins(line, "const ")) {
-      comment_.clear();
-      is_constant_ = line.back() != ';';
-    } else if (begins(line, "///")) {
-      comment_ += line + "\n";
-    } else if (!begins(line, "//") && !begins(line, "/*")) {
-      keep(line);
-    }
-  }
-
-  void keep(const std::string& line) {
-    const bool is_function = begins(line, "void " + robot_ + "_") || begins(line, "double " + robot_ + "_");
-    const bool follows_nothing = line.empty() && (kept_.empty() || kept_.substr(kept_.size() - 2) == "\n\n");
-    if (!follows_nothing) kept_ += comment_ + (is_function ? "DEVICE " : "") + line + "\n";
-    comment_.clear();
-  }
-
-  std::string robot_, kept_, comment_;
-  bool is_for_cxx_ = false, is_constant_ = false;
-};
 
 /// Sizes of an array that a parameter leads to: {6, 7} for double x[6][7], none for a structure.
 std::vector<int> sizes_of(const TypeRef& pointer) {
@@ -155,16 +113,19 @@ bool is_kernel(const blocks::Function& function) {
 
 }  // namespace
 
-std::string file(Device device, const blocks::Unit& unit, const std::string& header,
-                 const std::string& source, const std::vector<std::string>& missing) {
+std::string file(Device device, const blocks::Unit& unit, const Sources& c,
+                 const std::vector<std::string>& missing) {
   json values{{"name", unit.robot}, {"kernels", json::array()}, {"has_missing", !missing.empty()}};
   values["missing"] = json::array();
   for (const std::string& line : missing) values["missing"].push_back({{"line", line}});
-  values["text"] = DeviceText(unit.robot).of(header) + DeviceText(unit.robot).of(source);
+  values["text"] = device_text(unit.robot, c.header) + device_text(unit.robot, c.source);
+  values["inverse"] = inverse_text(unit, c.inverse_header, c.inverse_source);
   for (const blocks::Function& function : unit.functions)
     if (is_kernel(function))
       if (const json each = kernel(unit, function); !each.is_null()) values["kernels"].push_back(each);
-  values["head"] = render(device == Device::opencl ? "kernels/opencl.head" : "kernels/cuda.head", {});
+  const bool has_inverse = !values["inverse"].get<std::string>().empty();
+  values["head"] = render(device == Device::opencl ? "kernels/opencl.head" : "kernels/cuda.head",
+                          {{"has_inverse", has_inverse}});
   return render("kernels/file", values);
 }
 

@@ -16,9 +16,13 @@ namespace qvgen::emit::kernels {
 
 enum class Device { opencl, cuda };
 
-/// Text of the file. `unit` is the tree of the robot's header and source, which `header` and `source` are the
-/// texts of; `missing` are lines for its head.
-std::string file(Device device, const blocks::Unit& unit, const std::string& header,
-                 const std::string& source, const std::vector<std::string>& missing);
+/// Texts of the robot's C; those of inverse kinematics may be empty.
+struct Sources {
+  std::string header, source, inverse_header, inverse_source;
+};
+
+/// Text of the file. `unit` is the tree of the sources; `missing` are lines for its head.
+std::string file(Device device, const blocks::Unit& unit, const Sources& c,
+                 const std::vector<std::string>& missing);
 
 }  // namespace qvgen::emit::kernels

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace qvgen::emit::kernels {
+
+/// C without what devices do not have: lines of the preprocessor, public constants with their comments, and
+/// what is for C++ alone. The robot's public functions get a mark in front.
+std::string device_text(const std::string& robot, const std::string& c);
+
+}  // namespace qvgen::emit::kernels
