@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace qvgen::calibrate {
@@ -203,7 +204,7 @@ class Aligner {
       matrix.row(i) << 2 * points[k].transpose(), 1;
       right[i] = points[k].squaredNorm() - (set_.data == Data::distance ? distances[k] * distances[k] : 0);
     }
-    const Eigen::VectorXd found = matrix.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV).solve(right);
+    const Eigen::VectorXd found = matrix.completeOrthogonalDecomposition().solve(right);
     Surface<double> result;
     result.point = plain(Eigen::Vector3d(found.head<3>()));
     result.radius = std::sqrt(std::max(1e-12, found[3] + found.head<3>().squaredNorm()));

@@ -8,8 +8,9 @@
 #include <limits>
 #include <random>
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
+
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -93,7 +94,7 @@ class FloatInverse : public testing::Test {
         if (rows == 6) jacobian(rows - 3 + i, static_cast<int>(k)) = turn[i] / by;
       }
     }
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues().minCoeff();
+    return reference::smallest_singular_value(jacobian);
   }
   /// The least regularity of all solutions in double.
   static double least_regularity(const typename Double::Found& found) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What cannot be told: the exact rank of random arms is that of differences of the tests' own chain with
 // every error there is, and data in which a joint stood still are found out.
-#include <Eigen/SVD>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reference/linear_algebra.h"
 #include "simulate.h"
 
 namespace calibrate_test {
@@ -18,7 +18,7 @@ Eigen::Index rank_of(const Scene& scene, const DataSet& set, bool tracker_known,
     all.conservativeResize(all.rows() + rows.rows(), rows.cols());
     all.bottomRows(rows.rows()) = rows;
   }
-  const VectorXd values = Eigen::BDCSVD<MatrixXd>(all).singularValues();
+  const VectorXd values = reference::spectrum(all);
   return (values.array() > 1e-6 * values[0]).count();
 }
 

@@ -3,10 +3,10 @@
 // that are promised.
 #include "identify/estimate.h"
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include "random_arm.h"
+#include "reference/linear_algebra.h"
 #include "simulated.h"
 
 namespace qvgen::test {
@@ -46,7 +46,7 @@ Index rank_of(const MatrixXd& columns) {
   MatrixXd scaled = columns;
   for (Index k = 0; k < scaled.cols(); ++k)
     if (const double length = scaled.col(k).norm(); length > 1e-12) scaled.col(k) /= length;
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(scaled).singularValues();
+  const VectorXd values = reference::spectrum(scaled);
   return (values.array() > 1e-9 * values[0]).count();
 }
 
@@ -181,7 +181,7 @@ TEST_F(Repetitions, CovarianceIsTheSpread) {
     const VectorXd error = each.value - truth;
     spread += error * error.transpose() / count;
     promised += each.covariance / count;
-    distances += error.dot(each.covariance.ldlt().solve(error)) / count;
+    distances += error.dot(reference::solve_symmetric(each.covariance, error)) / count;
   }
   for (Index k = 0; k < n; ++k)  // a deviation from 200 trials is good to 5 percent
     EXPECT_NEAR(std::sqrt(spread(k, k) / promised(k, k)), 1, 0.2) << arm->names[static_cast<std::size_t>(k)];

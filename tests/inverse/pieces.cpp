@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
-
 #include "reference/linear_algebra.h"
 
 namespace qvgen::test {
@@ -15,6 +13,16 @@ using Eigen::VectorXd;
 
 /// Singular values below this belong to directions in which the pose does not change.
 constexpr double idle = 1e-5;
+
+/// Returns the least step by which joints make up for what is off, without the idle directions.
+VectorXd step_along(const Eigen::MatrixXd& jacobian, const VectorXd& off) {
+  const reference::SingularValues parts = reference::singular_values(jacobian);
+  VectorXd step = VectorXd::Zero(jacobian.cols());
+  for (Eigen::Index i = 0; i < parts.values.size(); ++i)
+    if (parts.values[i] > idle * parts.values[0])
+      step += parts.u.col(i).dot(off) / parts.values[i] * parts.v.col(i);
+  return step;
+}
 
 class Curve {
  public:
@@ -51,20 +59,18 @@ class Curve {
  private:
   bool project(VectorXd& q) const {
     for (int k = 0; k < 8 && test_.miss(q, sample_.target).largest() > 1e-12; ++k) {
-      Eigen::JacobiSVD<Eigen::MatrixXd> parts(test_.jacobian(q), Eigen::ComputeThinU | Eigen::ComputeThinV);
-      parts.setThreshold(idle);
-      q = test_.moved(q, parts.solve(test_.residual(q, sample_.target)));
+      q = test_.moved(q, step_along(test_.jacobian(q), test_.residual(q, sample_.target)));
     }
     return test_.miss(q, sample_.target).largest() < 3e-12;
   }
 
   /// The null direction nearest to the one before.
   std::optional<VectorXd> tangent(const VectorXd& q, const VectorXd& before) const {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> parts(test_.jacobian(q), Eigen::ComputeFullV);
+    const reference::SingularValues parts = reference::singular_values(test_.jacobian(q));
     VectorXd way = VectorXd::Zero(q.size());
     for (Eigen::Index i = 0; i < q.size(); ++i) {
-      if (!(parts.singularValues()[i] < idle)) continue;
-      const VectorXd own = parts.matrixV().col(i);
+      if (!(parts.values[i] < idle)) continue;
+      const VectorXd own = parts.v.col(i);
       way += before.size() == 0 ? own : VectorXd(own * own.dot(before));
     }
     if (way.norm() == 0) return std::nullopt;
@@ -97,8 +103,7 @@ std::optional<Eigen::Vector3d> foot(const reference::JointPlace& on, const refer
 }  // namespace
 
 bool is_on_a_curve(const Case& test, const Sample& sample) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(test.jacobian(sample.q));
-  return (parts.singularValues().array() < idle).count() == 1;
+  return (reference::spectrum(test.jacobian(sample.q)).array() < idle).count() == 1;
 }
 
 bool leads_to_a_row(const Case& test, const Found& found, const Sample& sample) {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <random>
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "reference/linear_algebra.h"
 #include "robot_under_test.h"
 
 namespace {
@@ -56,18 +56,18 @@ struct Problem {
   double largest;
 
   Problem(const MatrixXd& jacobian, const VectorXd& twist) {
-    const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const reference::SingularValues parts = reference::singular_values(jacobian);
     const qvgen::InverseVelocityOptions<double> options;
     curvature = jacobian.transpose() * jacobian;
     slope = jacobian.transpose() * twist;
-    largest = std::max(svd.singularValues()[0], options.scale);
-    const Eigen::Index rank = svd.singularValues().size();
+    largest = std::max(parts.values[0], options.scale);
+    const Eigen::Index rank = parts.values.size();
     for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
-      const double share = svd.singularValues()[std::min(i, rank - 1)] / (options.threshold * largest);
+      const double share = parts.values[std::min(i, rank - 1)] / (options.threshold * largest);
       const double damping = share < 1 ? (1 - share) * options.damping * largest : 0;
-      curvature += damping * damping * svd.matrixV().col(i) * svd.matrixV().col(i).transpose();
+      curvature += damping * damping * parts.v.col(i) * parts.v.col(i).transpose();
     }
-    idle = svd.matrixV().rightCols(jacobian.cols() - svd.singularValues().size());
+    idle = parts.v.rightCols(jacobian.cols() - rank);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <qvgen/robots/cuspidal/certified.h>
 
 #include "arms.h"
+#include "reference/linear_algebra.h"
 
 namespace path_test {
 namespace {
@@ -45,8 +46,7 @@ double regularity(const Whole& whole, int track, double s) {
   const auto found = arm().solve(whole.curve.at(s));
   const Nearest nearest = Nearest::of(found, q, arm().revolute);
   if (nearest.row < 0) return 0;
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(Eigen::MatrixXd(arm().jacobian(found[nearest.row].q)))
-      .singularValues()[5];
+  return reference::smallest_singular_value(arm().jacobian(found[nearest.row].q));
 }
 
 TEST(PathProof, OnlyWhatIsNextToSingularPosesIsNotProven) {

@@ -13,13 +13,26 @@ SingularValues singular_values(const Eigen::MatrixXd& m) {
   return {parts.singularValues(), parts.matrixU(), parts.matrixV()};
 }
 
-double smallest_singular_value(const Eigen::MatrixXd& m) { return singular_values(m).values.minCoeff(); }
+Eigen::VectorXd spectrum(const Eigen::MatrixXd& m) {
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues();
+}
+
+double smallest_singular_value(const Eigen::MatrixXd& m) { return spectrum(m).minCoeff(); }
+
+Eigen::Index rank(const Eigen::MatrixXd& m, double share) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(m);
+  return decomposed.setThreshold(share).rank();
+}
 
 double determinant(const Eigen::MatrixXd& m) { return m.determinant(); }
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) { return m.inverse(); }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
 }
+
+bool is_positive_definite(const Eigen::MatrixXd& a) { return a.ldlt().vectorD().minCoeff() > 0; }
 
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.ldlt().solve(b);

@@ -12,12 +12,19 @@ struct SingularValues {
   Eigen::MatrixXd u, v;
 };
 SingularValues singular_values(const Eigen::MatrixXd& m);
+/// Returns the singular values alone, falling.
+Eigen::VectorXd spectrum(const Eigen::MatrixXd& m);
 double smallest_singular_value(const Eigen::MatrixXd& m);
+/// Returns how many columns are independent by more than a share of the longest (QR with pivots).
+Eigen::Index rank(const Eigen::MatrixXd& m, double share);
 
 double determinant(const Eigen::MatrixXd& m);
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& m);
 
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// True if a symmetric matrix has positive eigenvalues only.
+bool is_positive_definite(const Eigen::MatrixXd& a);
 /// a x = b, a symmetric and positive or negative semidefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
