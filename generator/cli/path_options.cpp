@@ -60,8 +60,8 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   command
       .add_flag(
           "--prove", arguments.prove,
-          "prove by interval arithmetic that each motion is continuous and the only one in a tube around "
-          "it; stretches that cannot be proven are reported")
+          "prove by interval arithmetic that each motion is continuous, and that no other one follows the "
+          "path; stretches that cannot be proven are reported")
       ->excludes("--free");
   command
       .add_option(

@@ -108,15 +108,32 @@ std::string chain_text(const path::Result& result) {
   return text;
 }
 
+std::string stretches_text(const std::vector<std::pair<double, double>>& stretches) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < std::min(stretches.size(), most); ++i)
+    words.push_back(fmt::format("{} to {}", place(stretches[i].first), place(stretches[i].second)));
+  const std::string rest =
+      stretches.size() > most ? fmt::format(" and {} more", stretches.size() - most) : std::string();
+  return fmt::format("{}{}", fmt::join(words, ", "), rest);
+}
+
 std::string proof_of(const path::Motion& motion) {
   if (motion.proof->gaps.empty())
     return fmt::format("proven, alone within {:.2g} rad or m", motion.proof->narrowest);
-  std::string text = "proven but from";
-  const char* separator = " ";
-  for (const auto& [from, to] : motion.proof->gaps) {
-    text += fmt::format("{}{} to {}", separator, place(from), place(to));
-    separator = ", ";
-  }
+  return "proven but from " + stretches_text(motion.proof->gaps);
+}
+
+/// The proof that there are no other motions.
+std::string complete_text(const path::Result& result) {
+  if (!result.complete) return "";
+  std::string text = "no other motion follows the path, whatever the limits: proven";
+  if (!result.complete->gaps.empty()) text += " but from " + stretches_text(result.complete->gaps);
+  text += fmt::format(" ({:.2g} s)\n", result.complete->seconds);
+  if (result.complete->found > 0)
+    text += fmt::format(
+        "the proof has met motions that exist between two poses only, at {} places: they are listed\n",
+        result.complete->found);
   return text;
 }
 
@@ -146,7 +163,7 @@ std::string path_text(const path::Result& result, const path::Task& task, const 
   if (result.motions.size() > most_rows)
     text += fmt::format("... and {} more: -o FILE.csv or .json has all\n", result.motions.size() - most_rows);
   text += whole > 0 ? whole_text(result, task) : chain_text(result);
-  text += fastest_text(result) + proofs_text(result);
+  text += fastest_text(result) + proofs_text(result) + complete_text(result);
   text += gaps_text(result);
   if (result.full) text += "there were more motions than there is room for: some are missing\n";
   if (result.doubtful)

@@ -21,6 +21,12 @@ Extreme extreme_of(const ordered_json& json) {
   return {number_of(json.at("value")), json.at("s"), json.at("joint")};
 }
 
+std::vector<std::pair<double, double>> stretches_of(const ordered_json& json) {
+  std::vector<std::pair<double, double>> stretches;
+  for (const auto& stretch : json) stretches.emplace_back(stretch.at(0), stretch.at(1));
+  return stretches;
+}
+
 Motion motion_of(const ordered_json& json) {
   Motion motion;
   motion.track = json.at("track");
@@ -35,7 +41,7 @@ Motion motion_of(const ordered_json& json) {
   }
   if (json.contains("proof")) {
     motion.proof.emplace();
-    for (const auto& gap : json.at("proof").at("gaps")) motion.proof->gaps.emplace_back(gap.at(0), gap.at(1));
+    motion.proof->gaps = stretches_of(json.at("proof").at("gaps"));
     motion.proof->narrowest = json.at("proof").at("narrowest");
   }
   if (json.contains("least_time")) motion.least_time = number_of(json.at("least_time"));
@@ -78,7 +84,12 @@ Result result_of(const ordered_json& json) {
   for (const auto& motion : json.at("motions")) result.motions.push_back(motion_of(motion));
   for (const auto& change : json.at("chain"))
     result.chain.push_back({change.at("motion"), change.at("s"), number_of(change.at("way"))});
-  for (const auto& gap : json.at("gaps")) result.gaps.emplace_back(gap.at(0), gap.at(1));
+  result.gaps = stretches_of(json.at("gaps"));
+  if (json.contains("complete")) {
+    const ordered_json& complete = json.at("complete");
+    result.complete =
+        CompleteProof{stretches_of(complete.at("gaps")), complete.at("found"), complete.at("seconds")};
+  }
   return result;
 }
 

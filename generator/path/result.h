@@ -46,6 +46,13 @@ struct Motion {
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
 };
 
+/// Proof that there are no other motions.
+struct CompleteProof {
+  std::vector<std::pair<double, double>> gaps;  ///< stretches that are not proven
+  std::size_t found = 0;                        ///< places added, where the proof met another solution
+  double seconds = 0;
+};
+
 struct Change {
   std::size_t motion = 0;
   double s = 0;
@@ -59,6 +66,7 @@ struct Result {
   std::vector<Motion> motions;
   std::vector<Change> chain;  ///< the fewest motions that cover the path; empty if none do
   std::vector<std::pair<double, double>> gaps;
+  std::optional<CompleteProof> complete;
   [[nodiscard]] double end() const { return static_cast<double>(samples) - 1; }
   [[nodiscard]] bool is_whole(const Motion& motion) const {
     return motion.begin.s <= 0 && motion.end.s >= end();

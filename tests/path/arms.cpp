@@ -47,15 +47,22 @@ const NamedArm& arm_called(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-Whole::Whole(const AnyArm& arm, std::vector<Pose<double>> poses, const JointLimits<6>& limits,
+Whole::Whole(const AnyArm& arm, std::vector<Pose<double>> poses, const JointLimits<6>& joint_limits,
              Between between, const Options& options)
     : samples(std::move(poses)),
       curve(samples.data(), samples.size(), between),
+      limits(joint_limits),
       q(samples.size() * capacity * 6),
       rows(samples.size() * capacity),
       tracks(4000),
       events(20000),
       record({q.data(), rows.data(), tracks.data(), tracks.size(), events.data(), events.size()}) {
+  follow(arm, options);
+}
+
+void Whole::follow(const AnyArm& arm, const Options& options) {
+  record =
+      Record<capacity>({q.data(), rows.data(), tracks.data(), tracks.size(), events.data(), events.size()});
   Follower<AnyArm> follower(arm, curve, limits, record, options);
   follower.run();
   places = follower.places();

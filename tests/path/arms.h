@@ -38,9 +38,12 @@ struct Whole {
   Whole(const AnyArm& arm, std::vector<Pose<double>> samples, const JointLimits<6>& limits = no_limits(),
         Between between = Between::straight, const Options& options = {});
   Whole(const Whole&) = delete;
+  /// Follows the path anew.
+  void follow(const AnyArm& arm, const Options& options);
 
   std::vector<Pose<double>> samples;
   Curve curve;
+  JointLimits<6> limits;
   std::vector<double> q;
   std::vector<int> rows;
   std::vector<Track> tracks;

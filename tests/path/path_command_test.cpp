@@ -137,6 +137,7 @@ TEST_F(PathCommand, AProofIsReported) {
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
   EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
+  EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven")) << result.output;
 }
 
 TEST_F(PathCommand, BadInputGetsAnAnswer) {

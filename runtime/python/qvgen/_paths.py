@@ -32,6 +32,7 @@ class Paths(typing.NamedTuple):
     whole: list  #: numbers of the motions that follow the whole path
     chain: list  #: (number, s): the fewest that follow it one after the other, and where each begins; else empty
     gaps: list  #: stretches (from, to) that no motion follows
+    others: typing.Any = None  #: stretches on which other motions are not excluded; None without a proof
 
 
 def paths(source, robot, poses, *, free=None, hold=None, limits="description", times=None, screw=False, prefer=None,
@@ -40,7 +41,8 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
 
     `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
     `free`: "tool_x", "tool_y", "tool_z", "arm_angle" or a joint: the best motion, near to the joints `prefer` if there are
-    any. `screw`: screw motions between the poses, not straight lines. `prove`: each motion is proven. Raises ValueError with
+    any. `screw`: screw motions between the poses, not straight lines. `prove`: each motion is proven, and that there
+    is no other. Raises ValueError with
     what is wrong with the path or the arm.
     """
     description, *options = source
@@ -132,7 +134,9 @@ def _all(rows, file, robot, hold, times):
                               each["end"]["cause"], branches, each["representatives"], None, gaps))
     end = about["samples"] - 1
     whole = [i for i, each in enumerate(about["motions"]) if each["begin"]["s"] <= 0 and each["end"]["s"] >= end]
-    return Paths(motions, whole, [(each["motion"], each["s"]) for each in about["chain"]], [tuple(gap) for gap in about["gaps"]])
+    chain = [(each["motion"], each["s"]) for each in about["chain"]]
+    others = [tuple(gap) for gap in about["complete"]["gaps"]] if "complete" in about else None
+    return Paths(motions, whole, chain, [tuple(gap) for gap in about["gaps"]], others)
 
 
 def _with_held(q, joints, robot, hold):

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-
 #include <qvgen/inverse/certified/certify.h>
 
-#include "cover.h"
+#include "reduction.h"
 
 namespace qvgen::inverse::certified {
 namespace {
-
-constexpr int most_rows = 64;
 
 struct Rows {
   int count = 0;
@@ -47,37 +43,13 @@ bool are_different(const Loop& loop, const Rows& rows) {
   return true;
 }
 
-/// Around each row; the least of their radii, 0 if a row has none that holds its solution.
-double find_regions(const Equations& equations, const Rows& rows, Region (&regions)[most_rows]) {
-  double least = 1;
-  for (int i = 0; i < rows.count; ++i) {
-    regions[i] = equations.region_around(rows.value[i]);
-    if (!(regions[i].radius > rows.proof[i].within)) return 0;
-    least = std::min(least, regions[i].radius);
-  }
-  return least;
-}
-
-/// A reduced loop, and around each row a region in which it has no other solution.
-struct Reduction {
-  std::optional<Equations> equations;  ///< none: some row has no region, or the arm cannot be reduced
-  Region regions[most_rows] = {};
-};
-
-/// Returns the reduction with the largest regions, of all that can be dropped of the loop.
 Reduction best_reduction(const Loop& loop, const Rows& rows) {
-  Reduction best, other;
-  double largest = 0;
-  for (int choice = 0; choice < choices(loop); ++choice) {
-    other.equations.emplace(reduced(loop, choice));
-    if (other.equations->unknowns() == 0) continue;
-    const double least = find_regions(*other.equations, rows, other.regions);
-    if (least > largest) {
-      largest = least;
-      best = other;
-    }
+  Centre centres[most_rows];
+  for (int i = 0; i < rows.count; ++i) {
+    std::copy(rows.value[i], rows.value[i] + joints, centres[i].q);
+    centres[i].within = rows.proof[i].within;
   }
-  return best;
+  return best_reduction(loop, centres, rows.count);
 }
 
 }  // namespace

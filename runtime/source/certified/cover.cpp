@@ -10,12 +10,9 @@ constexpr double half_turn_and_more = 0x1.921fb54442d19p+1;
 /// True if all of a box is in a region, or in one that is whole turns off.
 bool is_in(const Box& box, const Region& region, int unknowns) {
   for (int k = 0; k < unknowns; ++k) {
-    bool is_near = false;
-    for (const double turns : {0.0, 1.0, -1.0}) {
-      const Interval way = box.angle[k] + Interval(turns) * whole_turn - Interval(region.centre[k]);
-      is_near = is_near || way.magnitude() <= region.radius;
-    }
-    if (!is_near) return false;
+    const double turns = std::round((region.centre[k] - box.angle[k].middle()) / whole_turn.lower);
+    const Interval way = box.angle[k] + Interval(turns) * whole_turn - Interval(region.centre[k]);
+    if (!(way.magnitude() <= region.radius)) return false;
   }
   return true;
 }
@@ -47,15 +44,26 @@ class Cover {
       : equations_(equations), regions_(regions), count_(count), unknowns_(equations.unknowns()) {}
 
   [[nodiscard]] bool is_complete(int most, int& boxes) {
-    Box all;
-    for (int k = 0; k < unknowns_; ++k) all.angle[k] = {-half_turn_and_more, half_turn_and_more};
-    stack_.push(all);
+    stack_.push(all_angles(unknowns_));
     for (boxes = 0; !stack_.is_empty(); ++boxes) {
       if (boxes == most || !stack_.takes_two()) return false;
       Box box = stack_.pop();
       if (!is_done(box)) push_halves(box);
     }
     return true;
+  }
+
+  /// Adds to `left` what is left of a box.
+  void cover(const Box& start, double narrowest, long most, long& boxes, std::vector<Box>& left) {
+    stack_.push(start);
+    for (; !stack_.is_empty(); ++boxes) {
+      Box box = stack_.pop();
+      if (boxes < most && is_done(box)) continue;
+      if (boxes < most && stack_.takes_two() && width(box) > narrowest)
+        push_halves(box);
+      else
+        left.push_back(box);
+    }
   }
 
  private:
@@ -94,6 +102,20 @@ class Cover {
 };
 
 }  // namespace
+
+Box all_angles(int unknowns) {
+  Box all;
+  for (int k = 0; k < unknowns; ++k) all.angle[k] = {-half_turn_and_more, half_turn_and_more};
+  return all;
+}
+
+std::vector<Box> uncovered(const Equations& equations, const std::vector<Region>& regions,
+                           const std::vector<Box>& start, double narrowest, long most, long& boxes) {
+  std::vector<Box> left;
+  Cover cover(equations, regions.data(), static_cast<int>(regions.size()));
+  for (const Box& box : start) cover.cover(box, narrowest, most, boxes, left);
+  return left;
+}
 
 bool is_covered(const Equations& equations, const Region* regions, int count, int most, int& boxes) {
   return Cover(equations, regions, count).is_complete(most, boxes);

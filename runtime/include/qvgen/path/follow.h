@@ -7,15 +7,18 @@
 
 /// All solutions followed along a path. Every stretch is halved until each solution at one end belongs to one
 /// at the other, by short ways, or meets another on the way at a place that is located. This is no proof: a
-/// branch that begins and ends between two places, at most twice `Options::longest_way` apart, can be missed.
+/// branch that begins and ends between two places, at most twice `Options::longest_way` apart, can be missed;
+/// the proof of complete.h finds it.
 namespace qvgen::path {
 
 /// Numbers that bound the work.
 struct Options {
-  double longest_step = 0.25;  ///< of a joint between two places, rad or m
-  double longest_way = 0.01;   ///< of the tool between two places that are solved without need, m
-  double longest_turn = 0.02;  ///< likewise, rad
-  int most_places = 20000;     ///< solved on one piece of the path; beyond it the record is doubtful
+  double longest_step = 0.25;     ///< of a joint between two places, rad or m
+  double longest_way = 0.01;      ///< of the tool between two places that are solved without need, m
+  double longest_turn = 0.02;     ///< likewise, rad
+  int most_places = 20000;        ///< solved on one piece of the path; beyond it the record is doubtful
+  const double* extra = nullptr;  ///< path coordinates, rising, at which solutions are computed in any case
+  std::size_t extra_count = 0;
 };
 
 /// Follows all solutions of an arm along a path; needs no heap.
@@ -114,13 +117,21 @@ class Follower {
     const double count = std::ceil(std::max(way * piece_.distance() / (2 * options_.longest_way),
                                             way * piece_.angle() / (2 * options_.longest_turn)));
     const int stretches = static_cast<int>(std::min(std::max(count, 1.0), 1e4));
-    for (int i = 1; i < stretches; ++i) {
-      Place<Arm> next;
-      evaluate(from + way * i / stretches, next);
-      if (next.is_clear()) go_to(next);
+    const double *extra = options_.extra, *const end = extra + options_.extra_count;
+    extra = std::upper_bound(extra, end, curve_offset() + from);
+    for (int i = 1; i <= stretches; ++i) {
+      const double to = from + way * i / stretches;
+      for (; extra != end && *extra < curve_offset() + to; ++extra) visit(*extra - curve_offset());
+      if (i < stretches) visit(to);
     }
     Place<Arm> last = right;
     go_to(last);
+  }
+
+  void visit(double u) {
+    Place<Arm> next;
+    evaluate(u, next);
+    if (next.is_clear()) go_to(next);
   }
 
   void go_to(Place<Arm>& next) {

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <qvgen/path/complete.h>
 #include <qvgen/path/cover.h>
 #include <qvgen/path/follow.h>
 #include <qvgen/path/held.h>
@@ -46,27 +47,27 @@ inline bool read_samples(const char* file, Request& request) {
 }
 
 /// All that was found along one path, with the memory that it takes.
-template <class Arm, class Prove>
+template <class Arm, class Bounds>
 class Found {
  public:
   static constexpr int capacity = Arm::capacity;
+  static constexpr bool has_proofs = !std::is_same_v<Bounds, NoProofs>;
 
-  /// `prove(curve, record, motion, take_gap)` proves a motion (prove.h), or is NoProofs.
-  Found(const Arm& arm, const Request& request, const Prove& prove)
+  /// `bounds`: the arm in bounds, or NoProofs.
+  Found(const Arm& arm, const Request& request, const Bounds& bounds)
       : arm_(arm),
-        prove_(prove),
+        bounds_(bounds),
         request_(request),
         curve_(request.samples.data(), request.samples.size(), request.between),
         q_(request.samples.size() * capacity * 6),
         track_(request.samples.size() * capacity),
         tracks_(most_tracks),
         events_(most_events),
-        record_(Buffers<capacity>{q_.data(), track_.data(), tracks_.data(), tracks_.size(), events_.data(),
-                                  events_.size()}) {
-    const auto start = std::chrono::steady_clock::now();
-    Follower<Arm> follower(arm_, curve_, request.limits, record_);
-    follower.run();
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        record_(buffers()) {
+    seconds_ = seconds_of([&] { follow(); });
+    if constexpr (has_proofs)
+      complete_seconds_ = seconds_of(
+          [&] { open_ = prove_complete(arm_, bounds_, curve_, record_, extra_, [&] { follow(); }); });
     const auto take = [&](const Motion& motion) { motions_.push_back(motion); };
     MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
     record_.is_full = !cut.run() || record_.is_full;
@@ -86,7 +87,9 @@ class Found {
     write_chain();
     std::printf("],\n\"gaps\":[");
     write_gaps();
-    std::printf("]}\n");
+    std::printf("]");
+    if constexpr (has_proofs) write_complete();
+    std::printf("}\n");
   }
 
   /// Rows of motion, path coordinate, time if there is one, and joints; false if the file cannot be written.
@@ -104,6 +107,35 @@ class Found {
 
  private:
   static constexpr std::size_t most_tracks = 20000, most_events = 200000, most_drawn = 400;
+
+  [[nodiscard]] Buffers<capacity> buffers() {
+    return {q_.data(), track_.data(), tracks_.data(), tracks_.size(), events_.data(), events_.size()};
+  }
+
+  template <class Call>
+  static double seconds_of(const Call& call) {
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Follows all solutions, with the places that the proof has added.
+  void follow() {
+    record_ = Record<capacity>(buffers());
+    Options options;
+    options.extra = extra_.data();
+    options.extra_count = extra_.size();
+    Follower<Arm>(arm_, curve_, request_.limits, record_, options).run();
+  }
+
+  /// Writes what is not proven to have no other motions, and how many places the proof has added.
+  void write_complete() const {
+    std::printf(",\n\"complete\":{\"gaps\":[");
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      std::printf("%s[%s,%s]", i > 0 ? "," : "", json::text(open_[i].first).c_str(),
+                  json::text(open_[i].second).c_str());
+    std::printf("],\"found\":%zu,\"seconds\":%.6f}", extra_.size(), complete_seconds_);
+  }
 
   /// Calls with the places of a motion: its ends and each sample between them, or some of these.
   template <class Take>
@@ -161,7 +193,7 @@ class Found {
                 json::text(motion.end).c_str(), tracks_[static_cast<std::size_t>(motion.track)].first_branch,
                 tracks_[static_cast<std::size_t>(motion.track)].last_branch);
     write_crossings(motion);
-    if constexpr (!std::is_same_v<Prove, NoProofs>) write_proof(motion);
+    if constexpr (has_proofs) write_proof(motion);
     const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
                                  request_.times.empty() ? nullptr : request_.times.data());
     const Review review = reviewer.review(motion);
@@ -182,7 +214,7 @@ class Found {
   void write_proof(const Motion& motion) const {
     std::printf(",\"proof\":{\"gaps\":[");
     const char* separator = "";
-    const auto proven = prove_(curve_, record_, motion, [&](double from, double to) {
+    const auto proven = prove(bounds_, curve_, record_, motion, [&](double from, double to) {
       std::printf("%s[%s,%s]", separator, json::text(from).c_str(), json::text(to).c_str());
       separator = ",";
     });
@@ -237,7 +269,7 @@ class Found {
   }
 
   const Arm& arm_;
-  const Prove& prove_;
+  const Bounds& bounds_;
   const Request& request_;
   Curve curve_;
   std::vector<double> q_;
@@ -247,15 +279,16 @@ class Found {
   Record<capacity> record_;
   std::vector<Motion> motions_;
   std::vector<std::vector<double>> times_;  ///< of each motion, if they are wanted
-  double seconds_ = 0;
+  std::vector<double> extra_;               ///< places that the proof has added
+  Stretches open_;                          ///< stretches not proven to have no other motions
+  double seconds_ = 0, complete_seconds_ = 0;
 };
 
 /// Arguments: the file of samples, "straight" or "screw", the file of motions or "-", the value of the joint
 /// that is held (0 without), six lower and six upper limits, and, for least times, six speeds and six
-/// accelerations. `arm_of` makes the arm from that value,
-/// `prove_of` what proves its motions.
-template <class ArmOf, class ProveOf>
-int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const ProveOf& prove_of) {
+/// accelerations. `arm_of` makes the arm from that value, `bounds_of` its bounds for proofs.
+template <class ArmOf, class BoundsOf>
+int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of) {
   if (argc != 17 && argc != 29) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
@@ -271,8 +304,8 @@ int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const Pr
   }
   const double held = std::strtod(argv[4], nullptr);
   const auto arm = arm_of(held);
-  const auto prove = prove_of(held);
-  Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(prove)>> found(arm, request, prove);
+  const auto bounds = bounds_of(held);
+  Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(bounds)>> found(arm, request, bounds);
   found.write_json();
   if (request.motions != nullptr && !found.write_motions(header)) return 1;
   return std::fflush(stdout) == 0 ? 0 : 1;

@@ -36,6 +36,7 @@ struct TubeProof {
   int boxes = 0;         ///< that were proven
   int tried = 0;         ///< stretches for which one was looked for
   double narrowest = 1;  ///< the least half width of a box, rad or m: no other motion is as near
+  std::array<Interval, joints> range{};  ///< all joint values on the stretches that are proven, if there are
   std::array<Gap, most_gaps> gaps{};
   std::size_t gap_count = 0;  ///< stretches that are not proven, in rising order
 
