@@ -21,6 +21,8 @@ constexpr double lane_rounding = 3e-7;
 constexpr double lane_miss = 1e-5;
 /// A miss, as a share of the size, of a start that nearly reached the pose: it may have missed a continuum.
 constexpr double stray_miss = 1e-4;
+/// How much an idle joint moves the tool at a row that is singular to rounding, as a share of the size.
+constexpr double exactly_idle = 1e-12;
 /// A step along a curve of solutions, which is brought back to the pose; so many are a whole turn of two
 /// joints.
 constexpr double longest_walk = 0.8;
@@ -212,6 +214,17 @@ bool Careful::any_is_singular() const {
   return std::any_of(rows_, rows_ + size_, [this](const Row& row) { return is_singular(row); });
 }
 
+/// True if a row is singular to rounding, and on no continuum, as between right angles. Others like it may
+/// meet in one place of all polynomials, and be lost by every elimination: a pose nearby tells them apart.
+bool Careful::any_is_exactly_singular() const {
+  using Newton = polishing::Newton<double, joints, 3>;
+  return std::any_of(rows_, rows_ + size_, [&](const Row& row) {
+    if (row.continuum) return false;
+    const auto idle = Newton::idle(Newton(task_).reached(row.values));
+    return idle.least < joints && idle.square < exactly_idle * exactly_idle * task_.size_square;
+  });
+}
+
 /// Solutions over the complex numbers come in pairs but for the real ones, of which those where two meet
 /// count twice: whether their number leaves room for doubt.
 bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
@@ -306,7 +319,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
   const bool strict =
       std::any_of(setup_.chain.slides, setup_.chain.slides + joints, [](bool is) { return is; }) ||
       nearly_has_structure(setup_.description, setup_.chain.size);
-  bool all_loud = first.loud, agreed = false, more_nearby = true;
+  bool all_loud = first.loud, agreed = false, more_nearby = true, doubted = leaves_doubt(first);
   int k = 0, clear = 0;
   // Poses near one at which solutions meet have others on each side.
   const auto is_clear = [&] { return !strict || clear >= (any_is_singular() ? 3 : 1); };
@@ -325,6 +338,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     const Outcome here = settle_here(found);
     all_loud = all_loud && here.loud;
     agreed = here.same;
+    doubted = doubted || here.doubtful;
     if (!agreed) more_nearby = true;
     if (!agreed || !is_even()) return false;
     if (!here.doubtful) more_nearby = false;
@@ -344,6 +358,14 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     Gathered found;
     look_here(*elimination, found);
     enough = is_enough(found);
+  }
+  // Doubts that no singular row explains may be those of two that meet and are lost.
+  if (k < most_nearby && (any_is_exactly_singular() || (doubted && !any_is_singular()))) {
+    const int before = size_;
+    const Pose<double> beside = nearby(k++);
+    pass_nearby(setup_.eliminations[0], beside);
+    pass_nearby(setup_.eliminations[0], mirrored(pose_, beside));
+    more_nearby = more_nearby || size_ > before;
   }
   while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || !is_clear() || (few && k < 3))) {
     look_nearby();
