@@ -108,6 +108,19 @@ TEST(CrossingCurves, AreMarked) {
   }
 }
 
+/// Two pairs of solutions meet at these poses, exactly: all eliminations lost the same one of them, or both.
+TEST(DoubleRoots, AreFoundOrToldBetweenRightAngles) {
+  const Arm arm = m10();
+  const inverse::elimination::Setup setup = inverse::elimination::set_up(arm.description());
+  for (const double last : {-0.5, -0.25, 0.0, 0.5, 0.75, 1.0}) {
+    const Joints6 q = Joints6(0, 0, -1, 0, 1, last) * 4 * std::atan(1);
+    for (const InstructionSet set : instruction_sets) {
+      const auto found = solve(setup, Pose<double>::from_isometry(arm.tool(q)), set);
+      EXPECT_TRUE(found.status == Status::incomplete || contains(arm, found, q, 1e-3));
+    }
+  }
+}
+
 std::vector<Arm> arms() {
   std::vector<Arm> all = named_arms();
   all.push_back(in_line());

@@ -20,6 +20,8 @@ constexpr double lane_rounding = 3e-7;
 constexpr double lane_miss = 1e-5;
 /// A miss, as a share of the size, of a start that nearly reached the pose: it may have missed a continuum.
 constexpr double stray_miss = 1e-4;
+/// How much an idle joint moves the tool at a row that is singular to rounding, as a share of the size.
+constexpr double exactly_idle = 1e-12;
 /// A step along a curve of solutions, which is brought back to the pose; so many are a whole turn of two
 /// joints.
 constexpr double longest_walk = 0.8;
@@ -197,6 +199,17 @@ bool Careful::leaves_doubt(const Gathered& found) const {
 
 bool Careful::any_is_singular() const {
   return std::any_of(rows_, rows_ + size_, [this](const Row& row) { return is_singular(row); });
+}
+
+/// True if a row is singular to rounding, and on no continuum, as between right angles. Others like it may
+/// meet in one place of all polynomials, and be lost by every elimination: a pose nearby tells them apart.
+bool Careful::any_is_exactly_singular() const {
+  using Newton = polishing::Newton<double, joints, 3>;
+  return std::any_of(rows_, rows_ + size_, [&](const Row& row) {
+    if (row.continuum) return false;
+    const auto idle = Newton::idle(Newton(task_).reached(row.values));
+    return idle.least < joints && idle.square < exactly_idle * exactly_idle * task_.size_square;
+  });
 }
 
 /// Solutions over the complex numbers come in pairs but for the real ones, of which those where two meet

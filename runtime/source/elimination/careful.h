@@ -93,6 +93,7 @@ class Careful {
   [[nodiscard]] bool is_singular(const Row& row) const;
   [[nodiscard]] bool leaves_doubt(const Gathered& found) const;
   [[nodiscard]] bool any_is_singular() const;
+  [[nodiscard]] bool any_is_exactly_singular() const;
   [[nodiscard]] bool is_even() const;
   [[nodiscard]] bool leads_to(Values values, const Values& goal);
   [[nodiscard]] bool is_on_known_continuum(const Values& values);

@@ -20,6 +20,9 @@ Pose<double> mirrored(const Pose<double>& middle, const Pose<double>& pose) {
 
 /// Agreement of eliminations on the rows of a pose.
 struct Careful::Consensus {
+  Consensus(Careful& careful, const Gathered& first)
+      : of(careful), all_loud(first.loud), doubted(of.leaves_doubt(first)) {}
+
   Careful& of;
   /// Two eliminations may lose the same solutions.
   const bool few = of.setup_.count + of.setup_.further.count < 3;
@@ -29,7 +32,7 @@ struct Careful::Consensus {
   const bool strict =
       std::any_of(of.setup_.chain.slides, of.setup_.chain.slides + joints, [](bool is) { return is; }) ||
       nearly_has_structure(of.setup_.description, of.setup_.chain.size);
-  bool all_loud = false, agreed = false, more_nearby = true;
+  bool all_loud, doubted, agreed = false, more_nearby = true;
   int asked_nearby = 0, clear = 0;
 
   /// Poses near one at which solutions meet have others on each side.
@@ -58,6 +61,7 @@ struct Careful::Consensus {
     const Outcome here = of.settle_here(found);
     all_loud = all_loud && here.loud;
     agreed = here.same;
+    doubted = doubted || here.doubtful;
     if (!agreed) more_nearby = true;
     if (!agreed || !of.is_even()) return false;
     if (!here.doubtful) more_nearby = false;
@@ -70,11 +74,22 @@ struct Careful::Consensus {
     if (!look_nearby()) return false;
     return look_at(opposite);
   }
+
+  /// Doubts that no singular row explains may be those of two that meet and are lost.
+  [[nodiscard]] bool may_have_lost_two() const {
+    return asked_nearby < most_nearby && (of.any_is_exactly_singular() || (doubted && !of.any_is_singular()));
+  }
+  void look_on_both_sides() {
+    const int before = of.size_;
+    const Pose<double> beside = of.nearby(asked_nearby++);
+    of.pass_nearby(of.setup_.eliminations[0], beside);
+    of.pass_nearby(of.setup_.eliminations[0], mirrored(of.pose_, beside));
+    more_nearby = more_nearby || of.size_ > before;
+  }
 };
 
 void Careful::agree(const Gathered& first, const Gathered* second) {
-  Consensus all{*this};
-  all.all_loud = first.loud;
+  Consensus all(*this, first);
   bool enough = second != nullptr && all.is_enough(*second);
   while (!enough) {
     const Elimination* elimination = next_elimination();
@@ -83,6 +98,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     look_here(*elimination, found);
     enough = all.is_enough(found);
   }
+  if (all.may_have_lost_two()) all.look_on_both_sides();
   while (all.wants_nearby()) {
     all.look_nearby();
     all.agreed = all.few ? !all.more_nearby : all.agreed || !all.more_nearby;
