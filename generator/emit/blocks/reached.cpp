@@ -16,9 +16,10 @@ using Names = std::set<std::string>;
 
 bool is(const Token& token, const char* text) { return token.text == text; }
 
-/// A definition, or a declaration: its words.
+/// A definition, or a declaration: its words, and its lines with the comment in front of it.
 struct Definition {
-  Tokens tokens;
+  Tokens tokens = {};
+  std::string text = {};
 
   [[nodiscard]] bool begins_with(const char* word) const { return is(tokens.front(), word); }
   [[nodiscard]] bool is_type() const { return begins_with("typedef") || begins_with("enum"); }
@@ -33,8 +34,24 @@ struct Definition {
   [[nodiscard]] bool is_public() const { return !is_type() && !begins_with("static"); }
 };
 
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string text_of(const Tokens& tokens, const std::vector<std::string>& lines) {
+  std::string text;
+  const Token &first = tokens.front(), &last = tokens.back();
+  for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
+    if (const std::string& own = lines[static_cast<std::size_t>(line - 1)]; !own.empty()) text += own + "\n";
+  return text;
+}
+
 /// Splits behind a semicolon, and behind a function's body.
 std::vector<Definition> definitions_of(const File& file) {
+  const std::vector<std::string> lines = split_lines(file.text);
   std::vector<Definition> result;
   Definition current;
   int depth = 0;
@@ -47,6 +64,7 @@ std::vector<Definition> definitions_of(const File& file) {
     depth += is(token, "{") ? 1 : is(token, "}") ? -1 : 0;
     current.tokens.push_back(token);
     if (depth > 0 || !(is(token, ";") || (in_body && is(token, "}")))) continue;
+    current.text = text_of(current.tokens, lines);
     result.push_back(std::move(current));
     current = {};
     in_body = false;
@@ -92,7 +110,8 @@ struct Wanted {
   }
 };
 
-std::vector<Definition> reached_from_public(const std::vector<Definition>& all) {
+/// Returns the text of the definitions that public ones reach, in their order.
+std::string text_of_reached(const std::vector<Definition>& all) {
   std::vector<bool> is_needed(all.size(), false);
   Wanted wanted;
   for (bool grows = true; grows;) {
@@ -103,32 +122,24 @@ std::vector<Definition> reached_from_public(const std::vector<Definition>& all) 
       wanted.add(all[i]);
     }
   }
-  std::vector<Definition> result;
+  std::string text;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (is_needed[i]) result.push_back(all[i]);
-  return result;
-}
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+    if (is_needed[i]) text += (text.empty() ? "" : "\n") + all[i].text;
+  return text;
 }
 
 }  // namespace
 
 std::string reached(const std::string& source) {
-  const std::vector<std::string> lines = split_lines(source);
-  std::string text;
-  for (const Definition& each : reached_from_public(definitions_of({"blocks", "", false, source}))) {
-    const Token &first = each.tokens.front(), &last = each.tokens.back();
-    if (!text.empty()) text += "\n";
-    for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
-      if (const std::string& own = lines[static_cast<std::size_t>(line - 1)]; !own.empty())
-        text += own + "\n";
-  }
-  return text;
+  return text_of_reached(definitions_of({"blocks", "", false, source}));
+}
+
+std::string reached_by(const std::string& function, const std::string& source) {
+  std::vector<Definition> all = definitions_of({"blocks", "", false, source});
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Definition& each) { return each.is_public(); }),
+            all.end());
+  for (Definition& each : definitions_of({"function", "", false, function})) all.push_back(std::move(each));
+  return text_of_reached(all);
 }
 
 }  // namespace qvgen::emit::blocks

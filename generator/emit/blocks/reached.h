@@ -12,4 +12,7 @@ namespace qvgen::emit::blocks {
 /// NotInSubset.
 std::string reached(const std::string& source);
 
+/// Returns a public function, given as text, behind what it needs of a source. Throws NotInSubset.
+std::string reached_by(const std::string& function, const std::string& source);
+
 }  // namespace qvgen::emit::blocks
