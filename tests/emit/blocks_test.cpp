@@ -243,5 +243,13 @@ TEST(Blocks, OnlyWhatPublicFunctionsReachIsLeft) {
     EXPECT_THROW(emit::blocks::reached(wrong), NotInSubset) << wrong;
 }
 
+TEST(Blocks, AFunctionTakesWhatItNeedsOfASource) {
+  const std::string one = "static int one(void) { return 1; }\n",
+                    two = "static int two(void) { return 2; }\n";
+  const std::string source = one + "int all(void) { return two(); }\n" + two;
+  const std::string function = "int some(void) { return one(); }\n";
+  EXPECT_EQ(emit::blocks::reached_by(function, source), one + "\n" + function);
+}
+
 }  // namespace
 }  // namespace qvgen::test

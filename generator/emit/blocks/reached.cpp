@@ -16,9 +16,10 @@ using Names = std::set<std::string>;
 
 bool is(const Token& token, const char* text) { return token.text == text; }
 
-/// A definition, or a declaration: its words.
+/// A definition, or a declaration: its words, and its lines with the comment in front of it.
 struct Definition {
-  Tokens tokens;
+  Tokens tokens = {};
+  std::string text = {};
 
   [[nodiscard]] bool begins_with(const char* word) const { return is(tokens.front(), word); }
   [[nodiscard]] bool is_type() const { return begins_with("typedef") || begins_with("enum"); }
@@ -33,8 +34,24 @@ struct Definition {
   [[nodiscard]] bool is_public() const { return !is_type() && !begins_with("static"); }
 };
 
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string text_of(const Tokens& tokens, const std::vector<std::string>& lines) {
+  std::string text;
+  const Token &first = tokens.front(), &last = tokens.back();
+  for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
+    if (const std::string& own = lines[static_cast<std::size_t>(line - 1)]; !own.empty()) text += own + "\n";
+  return text;
+}
+
 /// Splits behind a semicolon, and behind a function's body.
 std::vector<Definition> definitions_of(const File& file) {
+  const std::vector<std::string> lines = split_lines(file.text);
   std::vector<Definition> result;
   Definition current;
   int depth = 0;
@@ -47,6 +64,7 @@ std::vector<Definition> definitions_of(const File& file) {
     depth += is(token, "{") ? 1 : is(token, "}") ? -1 : 0;
     current.tokens.push_back(token);
     if (depth > 0 || !(is(token, ";") || (in_body && is(token, "}")))) continue;
+    current.text = text_of(current.tokens, lines);
     result.push_back(std::move(current));
     current = {};
     in_body = false;
@@ -92,60 +110,36 @@ struct Wanted {
   }
 };
 
-/// Returns the definitions that `is_root` takes, and those that these need, in their order.
-template <class IsRoot>
-std::vector<Definition> reached_from(const std::vector<Definition>& all, const IsRoot& is_root) {
+/// Returns the text of the definitions that public ones reach, in their order.
+std::string text_of_reached(const std::vector<Definition>& all) {
   std::vector<bool> is_needed(all.size(), false);
   Wanted wanted;
   for (bool grows = true; grows;) {
     grows = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (is_needed[i] || !(is_root(all[i]) || wanted.has(all[i]))) continue;
+      if (is_needed[i] || !(all[i].is_public() || wanted.has(all[i]))) continue;
       is_needed[i] = grows = true;
       wanted.add(all[i]);
     }
   }
-  std::vector<Definition> result;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (is_needed[i]) result.push_back(all[i]);
-  return result;
-}
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string text_of(const std::vector<Definition>& definitions, const std::vector<std::string>& lines) {
   std::string text;
-  for (const Definition& each : definitions) {
-    const Token &first = each.tokens.front(), &last = each.tokens.back();
-    if (!text.empty()) text += "\n";
-    for (int line = first.line - static_cast<int>(first.comment.size()); line <= last.line; ++line)
-      if (const std::string& own = lines[static_cast<std::size_t>(line - 1)]; !own.empty())
-        text += own + "\n";
-  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_needed[i]) text += (text.empty() ? "" : "\n") + all[i].text;
   return text;
 }
 
 }  // namespace
 
 std::string reached(const std::string& source) {
-  const auto is_public = [](const Definition& each) { return each.is_public(); };
-  return text_of(reached_from(definitions_of({"blocks", "", false, source}), is_public), split_lines(source));
+  return text_of_reached(definitions_of({"blocks", "", false, source}));
 }
 
 std::string reached_by(const std::string& function, const std::string& source) {
-  const std::string text = source + "\n" + function;
-  const int own_lines = static_cast<int>(std::count(source.begin(), source.end(), '\n')) + 1;
-  const auto is_own = [&](const Definition& each) { return each.tokens.front().line > own_lines; };
-  std::vector<Definition> all = definitions_of({"blocks", "", false, text});
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const Definition& each) { return each.is_public() && !is_own(each); }),
+  std::vector<Definition> all = definitions_of({"blocks", "", false, source});
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Definition& each) { return each.is_public(); }),
             all.end());
-  return text_of(reached_from(all, is_own), split_lines(text));
+  for (Definition& each : definitions_of({"function", "", false, function})) all.push_back(std::move(each));
+  return text_of_reached(all);
 }
 
 }  // namespace qvgen::emit::blocks

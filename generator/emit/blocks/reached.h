@@ -12,8 +12,7 @@ namespace qvgen::emit::blocks {
 /// NotInSubset.
 std::string reached(const std::string& source);
 
-/// Returns those of its types, constants and static functions that a function needs, and behind them that
-/// function, which is given as text.
+/// Returns a public function, given as text, behind what it needs of a source. Throws NotInSubset.
 std::string reached_by(const std::string& function, const std::string& source);
 
 }  // namespace qvgen::emit::blocks
