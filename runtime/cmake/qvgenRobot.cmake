@@ -76,6 +76,9 @@ function(qvgen_robot target)
   endif()
 
   add_library(${target} STATIC ${robot_SOURCES})
+  if(QVGEN_LIGHT)  # what a robot's files have in common takes longer than the rest
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   set(libraries ${target})
   if(inverse_sources)
     add_library(${target}_inverse OBJECT ${inverse_sources})

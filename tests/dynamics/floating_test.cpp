@@ -10,6 +10,7 @@
 #include "optimise/dynamics.h"
 #include "random_tree.h"
 #include "reference/dynamics.h"
+#include "reference/linear_algebra.h"
 #include "reference/load.h"
 
 namespace qvgen::test::trees {
@@ -51,7 +52,7 @@ TEST_P(RandomFloatingTrees, EveryQuantityIsThatOfSixJointsInPlaceOfTheBase) {
     const VectorXd velocity = joined(base.velocity, motion.qd);
     const Eigen::Index n = q.size();
     const MatrixXd by_rates = base.by_rates(motion.q.size());
-    const MatrixXd back = by_rates.inverse();
+    const MatrixXd back = reference::inverse(by_rates);
     const auto to_base = [&](const VectorXd& torque) { return (back.transpose() * torque).eval(); };
     const derive::dynamics::FormulationOptions choices;
 

@@ -30,7 +30,7 @@ class InverseSearch : public Inverse {
 
 /// The capacity is the number of branches that the derivation claims. All of them exist at one pose at least.
 TEST_P(InverseSearch, ConfirmsTheBranches) {
-  const int poses = std::clamp(pose_count() / 50, 10, 1000);
+  const int poses = std::clamp(pose_count() / 100, 10, 1000);
   const std::size_t claimed = static_cast<std::size_t>(GetParam().info.capacity);
   std::size_t most = 0;
   // Some branches are never left at a pose that fixes more than the joints.
