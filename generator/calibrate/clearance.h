@@ -29,7 +29,7 @@ class Clearance {
   [[nodiscard]] bool kept_between(const std::vector<double>& from, const std::vector<double>& to) const;
 
   /// Stops comparing pairs that are too near at all of these postures, for the arm is built so. Returns their
-  /// links in words: "links 4 and 6".
+  /// links in words: "link 4 and link 6".
   std::vector<std::string> leave_out_constant(const std::vector<std::vector<double>>& postures);
   /// Returns the links of the pair that is too near at most of these postures, in words.
   [[nodiscard]] std::string nearest_links(const std::vector<std::vector<double>>& postures) const;

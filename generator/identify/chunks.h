@@ -23,12 +23,16 @@ auto in_chunks(Eigen::Index samples, const Work& work) {
   using Result = decltype(work(Index(0), Index(0)));
   const Index chunks = (std::max<Index>(0, samples) + chunk - 1) / chunk;
   std::vector<Result> results(static_cast<std::size_t>(chunks));
-  const auto threads = std::clamp<Index>(std::thread::hardware_concurrency(), 1, std::max<Index>(1, chunks));
+  const auto work_at = [&](Index k) {
+    results[static_cast<std::size_t>(k)] = work(k * chunk, std::min(samples, (k + 1) * chunk));
+  };
+  if (chunks == 1) work_at(0);  // a thread for each piece of a log with many gaps would cost more
+  if (chunks <= 1) return results;
+  const auto threads = std::clamp<Index>(std::thread::hardware_concurrency(), 1, chunks);
   std::vector<std::future<void>> running;
   for (Index thread = 0; thread < threads; ++thread)
     running.push_back(std::async(std::launch::async, [&, thread] {
-      for (Index k = thread; k < chunks; k += threads)
-        results[static_cast<std::size_t>(k)] = work(k * chunk, std::min(samples, (k + 1) * chunk));
+      for (Index k = thread; k < chunks; k += threads) work_at(k);
     }));
   for (auto& each : running) each.get();
   return results;
