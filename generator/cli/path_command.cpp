@@ -81,20 +81,32 @@ path::MovingJoint& joint_called(std::vector<path::MovingJoint>& joints, const st
   return joints.front();
 }
 
+/// LOWER:UPPER; a unit behind the upper one is stated once for both.
+std::pair<double, double> range_of(const std::string& option, const std::string& range) {
+  const std::size_t colon = range.find(':');
+  if (colon == std::string::npos) throw UsageError(option + " " + range + ": LOWER:UPPER is missing");
+  std::string lower = range.substr(0, colon), upper = range.substr(colon + 1);
+  for (const char* unit : {"deg", "mm"})
+    if (upper.find(unit) != std::string::npos &&
+        lower.find_first_not_of("0123456789.+-eE") == std::string::npos)
+      lower += unit;
+  const std::pair<double, double> ends{number_of(option, lower), number_of(option, upper)};
+  if (ends.first > ends.second)
+    throw UsageError(option + " " + range + ": the lower limit is above the upper one");
+  return ends;
+}
+
+/// The way between poses as the program reads it.
+std::string between_of(const PathArguments& arguments) {
+  if (arguments.blend > 0) return fmt::format("{:a}", arguments.blend);
+  return arguments.spline ? "spline" : arguments.screw ? "screw" : "straight";
+}
+
 void set_limits(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
   for (const std::string& limit : arguments.limits) {
     const auto [name, range] = named("--limit", limit);
-    const std::size_t colon = range.find(':');
-    if (colon == std::string::npos) throw UsageError("--limit " + limit + ": LOWER:UPPER is missing");
-    std::string lower = range.substr(0, colon), upper = range.substr(colon + 1);
-    for (const char* unit : {"deg", "mm"})  // stated once for both
-      if (upper.find(unit) != std::string::npos &&
-          lower.find_first_not_of("0123456789.+-eE") == std::string::npos)
-        lower += unit;
     path::MovingJoint& joint = joint_called(joints, "--limit", name);
-    joint.limits = {number_of("--limit", lower), number_of("--limit", upper)};
-    if (joint.limits.first > joint.limits.second)
-      throw UsageError("--limit " + limit + ": the lower limit is above the upper one");
+    joint.limits = range_of("--limit", range);
   }
 }
 
@@ -134,7 +146,7 @@ void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& j
 
 path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::Task task;
-  task.screw = arguments.screw;
+  task.between = between_of(arguments);
   task.proofs = arguments.prove;
   task.joints = all_joints(arguments, robot);
   task.least_times = !arguments.accelerations.empty();
@@ -159,10 +171,12 @@ path::FreeTask free_task_of(const PathArguments& arguments, const model::Robot& 
   task.free = arguments.free;
   task.joints = all_joints(arguments, robot);
   task.values = arguments.values;
-  task.screw = arguments.screw;
+  task.between = between_of(arguments);
+  if (!arguments.range.empty()) task.range = range_of("--range", arguments.range);
   task.preferred = arguments.preferred;
-  const std::size_t wanted = task.turns_tool() ? 6 : 7;
-  if (!task.turns_tool() && task.free != "arm_angle") joint_called(task.joints, "--free", task.free);
+  const bool is_seventh = !task.turns_tool() && !task.is_rail();
+  const std::size_t wanted = is_seventh ? 7 : 6;
+  if (is_seventh && task.free != "arm_angle") joint_called(task.joints, "--free", task.free);
   if (task.joints.size() != wanted)
     throw std::runtime_error(fmt::format("--free {} is for arms of {} joints; {} has {}", task.free, wanted,
                                          robot.name, task.joints.size()));
@@ -204,14 +218,15 @@ std::string json_text(const model::Robot& robot, const path::Task& task, const n
   return all.dump(1) + "\n";
 }
 
+/// Title of pictures.
+std::string title_of(const PathArguments& arguments, const model::Robot& robot) {
+  return fmt::format("{} along {}", robot.name, arguments.poses.filename().string());
+}
+
 /// Writes what the program has not written itself.
 void write(const fs::path& output, const std::string& text) {
   pipeline::replace_file(output, text, output.string() + ".new");
 }
-
-}  // namespace
-
-namespace {
 
 /// Returns the file that the CSV is written to until all is well; empty if none is wanted.
 fs::path unfinished_csv(const PathArguments& arguments) {
@@ -239,9 +254,7 @@ int follow_all(const PathArguments& arguments, const description::ReadResult& de
   for (const fs::path& output : arguments.outputs) {
     if (output.extension() == ".json") write(output, json_text(robot, task, json));
     if (output.extension() == ".svg")
-      write(output,
-            path::picture_of(result, task,
-                             fmt::format("{} along {}", robot.name, arguments.poses.filename().string())));
+      write(output, path::picture_of(result, task, title_of(arguments, robot)));
   }
   fmt::print("{}", path_text(result, task, poses, robot.name));
   return success;
@@ -251,14 +264,17 @@ int follow_best(const PathArguments& arguments, const description::ReadResult& d
                 const path::Poses& poses) {
   const model::Robot& robot = *description.robot;
   path::FreeTask task = free_task_of(arguments, robot);
-  for (const fs::path& output : arguments.outputs)
-    if (output.extension() != ".csv") throw UsageError("--free writes one motion: -o FILE.csv");
   const ProgressLine progress(0);
   const programs::Program program = path::free_program(robot, task, key_of(arguments, description),
                                                        runtime_of(arguments), said_on(progress));
   task.motion = unfinished_csv(arguments);
   const path::FreeMotion motion = path::follow_free(program, task, poses);
   finish_csv(arguments);
+  for (const fs::path& output : arguments.outputs) {
+    if (output.extension() == ".json") write(output, path::json_of(motion, task, robot.name).dump(1) + "\n");
+    if (output.extension() == ".svg")
+      write(output, path::picture_of(motion, task, title_of(arguments, robot)));
+  }
   fmt::print("{}", free_text(motion, task, poses, robot.name));
   return motion.followed >= static_cast<double>(motion.samples) - 1 ? success : failure;
 }

@@ -42,10 +42,16 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   command
       .add_option(
           "--free", arguments.free,
-          "what the path leaves open: a turn about a tool axis, tool_x, tool_y or tool_z; of seven joints "
-          "one by its name, or arm_angle. The best motion is found, and the values that it takes")
+          "what the path leaves open: a turn about a tool axis, tool_x, tool_y or tool_z; where the base is "
+          "on a rail along one of its axes, rail_x, rail_y or rail_z; of seven joints one by its name, or "
+          "arm_angle. The best motion is found, and the values that it takes")
       ->type_name("WHAT")
       ->excludes("--hold");
+  command
+      .add_option("--range", arguments.range,
+                  "for --free: its lower and upper end, LOWER:UPPER, rad or m, or with deg or mm behind")
+      ->type_name("RANGE")
+      ->needs("--free");
   command.add_option("--values", arguments.values, "for --free: how many are tried at each pose")
       ->type_name("NUMBER")
       ->check(CLI::Range(4, 100000).description(""))
@@ -57,12 +63,23 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->delimiter(',');
   command.add_flag("--screw", arguments.screw,
                    "screw motions between poses, in place of straight lines with an even turn");
+  command.add_flag("--spline", arguments.spline, "a cubic spline through the poses, likewise")
+      ->excludes("--screw");
+  command
+      .add_option("--blend", arguments.blend,
+                  "straight lines with rounded corners, which begin so far from the poses, m")
+      ->type_name("RADIUS")
+      ->check(CLI::PositiveNumber)
+      ->excludes("--screw")
+      ->excludes("--spline");
   command
       .add_flag(
           "--prove", arguments.prove,
           "prove by interval arithmetic that each motion is continuous, and that no other one follows the "
           "path; stretches that cannot be proven are reported")
-      ->excludes("--free");
+      ->excludes("--free")
+      ->excludes("--spline")
+      ->excludes("--blend");
   command
       .add_option(
           "--time", arguments.accelerations,

@@ -179,7 +179,7 @@ std::string free_text(const path::FreeMotion& motion, const path::FreeTask& task
   const auto [low, high] =
       std::minmax_element(motion.places.begin(), motion.places.end(),
                           [](const auto& a, const auto& b) { return a.value < b.value; });
-  const bool slides = task.joint() != nullptr && !task.joint()->revolute;
+  const bool slides = !task.turns();
   const double unit = slides ? 1e3 : degrees;
   text += fmt::format("{} from {:.4g} to {:.4g} {}\n", task.free, low->value * unit, high->value * unit,
                       slides ? "mm" : "deg");

@@ -83,8 +83,7 @@ programs::Program arm_program(const model::Robot& robot, const Task& task, const
 }
 
 ordered_json follow(const programs::Program& program, const Task& task, const Poses& poses) {
-  std::vector<std::string> words{task.screw ? "screw" : "straight",
-                                 task.motions.empty() ? "-" : task.motions.string(),
+  std::vector<std::string> words{task.between, task.motions.empty() ? "-" : task.motions.string(),
                                  hexadecimal(task.held ? task.held->value : 0)};
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.first));
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.second));

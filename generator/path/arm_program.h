@@ -35,11 +35,11 @@ struct MovingJoint {
 /// Joints that follow a path, and the ways between its poses.
 struct Task {
   std::optional<HeldJoint> held;
-  std::vector<MovingJoint> joints;  ///< six
-  bool screw = false;               ///< screw motions between poses, in place of straight lines
-  bool least_times = false;         ///< of each motion
-  bool proofs = false;              ///< of each motion
-  std::filesystem::path motions;    ///< CSV to write; empty for none
+  std::vector<MovingJoint> joints;   ///< six
+  std::string between = "straight";  ///< "screw", "spline", or the radius of blends, m
+  bool least_times = false;          ///< of each motion
+  bool proofs = false;               ///< of each motion
+  std::filesystem::path motions;     ///< CSV to write; empty for none
 };
 
 /// Returns the program of an arm, from the cache if it is there. Throws std::runtime_error if the arm cannot

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 /// The function that is asked at each pose.
 std::string function_of(const FreeTask& task) {
-  if (task.turns_tool()) return plain;
+  if (task.turns_tool() || task.is_rail()) return plain;
   if (task.free == "arm_angle") return std::string(plain) + "_arm_angle";
   return fmt::format("{}_given_{}", plain, task.free);
 }
@@ -32,9 +32,7 @@ bool has_function(const pipeline::RobotOutput& output, const FreeTask& task, con
 }
 
 std::string header_of(const FreeTask& task) {
-  const MovingJoint* joint = task.joint();
-  std::string header =
-      fmt::format(",free {} [{}]", task.free, joint != nullptr && !joint->revolute ? "m" : "rad");
+  std::string header = fmt::format(",free {} [{}]", task.free, task.turns() ? "rad" : "m");
   for (const MovingJoint& each : task.joints)
     header += fmt::format(",{} [{}]", each.name, each.revolute ? "rad" : "m");
   return header;
@@ -51,15 +49,21 @@ programs::Prepared prepared(const model::Robot& robot, const FreeTask& task,
                                          {"product", task.free == "arm_angle" ? "arm_angle" : "inverse"},
                                          {"function", function},
                                          {"turns_tool", task.turns_tool()},
-                                         {"axis", task.turns_tool() ? task.free.back() - 'x' : 0},
+                                         {"rail", task.is_rail()},
+                                         {"joint", !task.turns_tool() && !task.is_rail()},
+                                         {"axis", task.free.back() - 'x'},
                                          {"header", header_of(task)}});
   return {main, {{"path_program.cpp", {"-ffp-contract=off"}}}, {}, {{"function", function}}};
 }
 
-/// The range of the free coordinate: a circle, or the joint's limits.
+/// The range of the free coordinate: as it is given, a circle, or the joint's limits.
 std::vector<std::string> range_of(const FreeTask& task) {
   const MovingJoint* joint = task.joint();
   const double pi = std::numbers::pi;
+  if (task.range)
+    return {fmt::format("{:a}", task.range->first), fmt::format("{:a}", task.range->second), "range"};
+  if (task.is_rail())
+    throw std::runtime_error("--free " + task.free + ": a rail needs its ends, --range LOWER:UPPER");
   if (joint == nullptr || !std::isfinite(joint->limits.second - joint->limits.first)) {
     if (joint != nullptr && !joint->revolute)
       throw std::runtime_error("--free " + task.free + ": a slide needs limits, --limit NAME=LOWER:UPPER");
@@ -71,6 +75,10 @@ std::vector<std::string> range_of(const FreeTask& task) {
 }  // namespace
 
 bool FreeTask::turns_tool() const { return free == "tool_x" || free == "tool_y" || free == "tool_z"; }
+
+bool FreeTask::is_rail() const { return free == "rail_x" || free == "rail_y" || free == "rail_z"; }
+
+bool FreeTask::turns() const { return !is_rail() && (joint() == nullptr || joint()->revolute); }
 
 const MovingJoint* FreeTask::joint() const {
   const auto found =
@@ -89,8 +97,7 @@ programs::Program free_program(const model::Robot& robot, const FreeTask& task, 
 }
 
 FreeMotion follow_free(const programs::Program& program, const FreeTask& task, const Poses& poses) {
-  std::vector<std::string> words{task.screw ? "screw" : "straight",
-                                 task.motion.empty() ? "-" : task.motion.string()};
+  std::vector<std::string> words{task.between, task.motion.empty() ? "-" : task.motion.string()};
   for (const std::string& word : range_of(task)) words.push_back(word);
   words.push_back(std::to_string(task.values));
   words.push_back(task.preferred.empty() ? "0" : "0.01");

@@ -16,14 +16,17 @@ namespace qvgen::path {
 
 /// The coordinate that is free, and wishes for the motion.
 struct FreeTask {
-  std::string free;                 ///< tool_x, tool_y, tool_z, arm_angle, or a joint
+  std::string free;                 ///< tool_x, tool_y, tool_z, rail_x, rail_y, rail_z, arm_angle, or a joint
   std::vector<MovingJoint> joints;  ///< all of the arm
   int values = 72;                  ///< of the free coordinate at each pose
-  bool screw = false;
-  std::vector<double> preferred;  ///< joints to be near to; empty for none
-  std::filesystem::path motion;   ///< CSV to write; empty for none
+  std::string between = "straight";                ///< as in Task
+  std::optional<std::pair<double, double>> range;  ///< of what is free, rad or m, in place of all
+  std::vector<double> preferred;                   ///< joints to be near to; empty for none
+  std::filesystem::path motion;                    ///< CSV to write; empty for none
 
   [[nodiscard]] bool turns_tool() const;
+  [[nodiscard]] bool is_rail() const;
+  [[nodiscard]] bool turns() const;                ///< what is free is an angle
   [[nodiscard]] const MovingJoint* joint() const;  ///< the free one; null if none is
 };
 
@@ -44,5 +47,11 @@ programs::Program free_program(const model::Robot& robot, const FreeTask& task, 
 
 /// Runs the program; throws std::runtime_error if it fails.
 FreeMotion follow_free(const programs::Program& program, const FreeTask& task, const Poses& poses);
+
+/// Returns the motion with the names of what moves.
+nlohmann::ordered_json json_of(const FreeMotion& motion, const FreeTask& task, const std::string& robot);
+
+/// Draws each joint against the path, as SVG, and what is free if it is no joint.
+std::string picture_of(const FreeMotion& motion, const FreeTask& task, const std::string& title);
 
 }  // namespace qvgen::path

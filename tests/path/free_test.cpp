@@ -70,5 +70,25 @@ TEST(FreePath, BeyondReachTheMotionEnds) {
   EXPECT_LT(result.followed, 15);
 }
 
+/// A line of three metres along x is out of reach, but not from a rail along x.
+TEST(FreePath, ARailFollowsALongLine) {
+  const AnyArm& arm = arm_called("ur5").arm;
+  std::vector<Pose<double>> samples;
+  for (int i = 0; i <= 60; ++i) samples.push_back({{0, 1, 0, 0}, {0.4 + 0.05 * i, -0.2, 0.25}});
+  FreeRequest<6> request = request_of(samples, {Values::Constant(-2.8), Values::Constant(2.8)});
+  request.range = {-1, 4, false, 101, 3};
+  const Curve curve(samples.data(), samples.size());
+  const auto solve = [&](double s, double value) { return arm.solve(from_rail(curve.at(s), 0, value)); };
+  const FreeResult<6, 16, decltype(solve)> result(solve, request, arm.revolute);
+  EXPECT_EQ(result.followed, 60);
+  ASSERT_EQ(result.places.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Pose<double> tool = arm.forward(result.places[i].q);
+    tool.position.x() += result.places[i].value;
+    EXPECT_LT(linear_distance(tool, samples[i]), 1e-9);
+    EXPECT_LT(angular_distance(tool, samples[i]), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace path_test

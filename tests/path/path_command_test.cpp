@@ -129,6 +129,28 @@ TEST_F(PathCommand, LeastTimesKeepTheSpeeds) {
   EXPECT_GT(compared, 30);
 }
 
+TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
+  write("seam.csv", seam(100));
+  for (const std::string way : {"--spline", "--blend 0.005"}) {
+    const ToolRun result = follow("ur5 seam.csv " + way);
+    ASSERT_EQ(result.code, 0) << result.output;
+    EXPECT_TRUE(has(result, "joints that follow the whole path from its start")) << result.output;
+  }
+}
+
+/// Compiles a program of its own: with QVGEN_PROOFS.
+TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
+  if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
+  write("seam.csv", seam(900));
+  const ToolRun result =
+      follow("ur5 seam.csv --free rail_x --range 0:1 -o motion.csv -o motion.json -o motion.svg");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "the motion follows the whole path")) << result.output;
+  EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
+  EXPECT_NE(read("motion.json").find("\"free\": \"rail_x\""), std::string::npos);
+  EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
+}
+
 /// Compiles a program of its own, half a minute: with QVGEN_PROOFS.
 TEST_F(PathCommand, AProofIsReported) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program of proofs";
@@ -159,6 +181,9 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --time 0", 2, "--time");
   expect("ur5 good.csv --joint-speeds 1", 2, "--time");
   expect("ur5 good.csv --prove --free tool_z", 2, "--free");
+  expect("ur5 good.csv --prove --spline", 2, "--spline");
+  expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");
+  expect("ur5 good.csv --free tool_z --range 1:0", 2, "above the upper one");
   EXPECT_FALSE(fs::exists(folder / "out.csv"));
   EXPECT_FALSE(fs::exists(folder / "out.csv.new"));
 }

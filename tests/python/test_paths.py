@@ -33,6 +33,14 @@ def test_motions_reach_the_poses(ns):
 
 
 @compiles
+def test_bent_ways_pass_the_same_poses(ns):
+    straight, spline = ns.paths(poses_of(ns), limits=None), ns.paths(poses_of(ns), limits=None, spline=True)
+    assert len(spline.whole) == len(straight.whole)
+    np.testing.assert_allclose(spline.motions[spline.whole[0]].q, straight.motions[straight.whole[0]].q, atol=1e-9)
+    assert ns.paths(poses_of(ns), limits=None, blend=0.001).whole
+
+
+@compiles
 def test_limits_cut_motions(ns):
     poses = poses_of(ns)
     bound = START[0] + 0.4 * (END[0] - START[0])
@@ -40,6 +48,18 @@ def test_limits_cut_motions(ns):
     cut = [motion for motion in found.motions if np.allclose(motion.q[0], START)]
     assert [motion.ends for motion in cut] == ["limit"]
     assert abs(cut[0].q[-1, 0] - bound) < 1e-9 and cut[0].s[-1] < 29
+
+
+@compiles
+def test_least_times_keep_speeds_and_the_fastest_motion_is_named(ns):
+    found = ns.paths(poses_of(ns), limits=None, time=6, joint_speeds=[1, 1, 1, 2, 2, 2])
+    ends = {i: found.motions[i].t[-1] for i in found.whole}
+    assert found.fastest == min(ends, key=ends.get)
+    for motion in found.motions:
+        assert motion.t[0] == 0 and np.all(np.diff(motion.t) > 0)
+        speeds = np.abs(np.diff(motion.q, axis=0)) / np.diff(motion.t)[:, None]
+        assert np.all(speeds <= np.array([1, 1, 1, 2, 2, 2]) * (1 + 1e-9))
+    assert ns.paths(poses_of(ns), limits=None).fastest is None
 
 
 def test_bad_input_gets_a_sentence(ns, arm):
@@ -52,5 +72,7 @@ def test_bad_input_gets_a_sentence(ns, arm):
         ns.paths(poses)
     with pytest.raises(ValueError, match="times"):
         ns.paths(poses, times=[0, 1])
+    with pytest.raises(ValueError, match="--time"):
+        ns.paths(poses_of(ns, 5), time=-1)
     with pytest.raises(ValueError, match="6|six"):
         arm.paths(poses_of(ns, 5))

@@ -24,6 +24,7 @@ class Motion(typing.NamedTuple):
     turns: float  #: choices of whole turns within limits that give this motion
     values: typing.Any  #: (n,), what the free coordinate is, rad or m; None without one
     gaps: typing.Any  #: stretches (from, to) that are not proven; None without a proof
+    t: typing.Any = None  #: (n,), s, at these places: least times with `time`, else the poses' `times`; None without
 
 
 class Paths(typing.NamedTuple):
@@ -33,17 +34,20 @@ class Paths(typing.NamedTuple):
     chain: list  #: (number, s): the fewest that follow it one after the other, and where each begins; else empty
     gaps: list  #: stretches (from, to) that no motion follows
     others: typing.Any = None  #: stretches on which other motions are not excluded; None without a proof
+    fastest: typing.Any = None  #: with `time`, the number of the motion along the whole path that takes least; None without
 
 
 def paths(source, robot, poses, *, free=None, hold=None, limits="description", times=None, screw=False, prefer=None,
-          prove=False):
+          prove=False, time=None, joint_speeds=None, spline=False, blend=None, free_range=None):
     """Every continuous motion of the joints that follows poses, (n, 7): w x y z, then metres.
 
     `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
-    `free`: "tool_x", "tool_y", "tool_z", "arm_angle" or a joint: the best motion, near to the joints `prefer` if there are
-    any. `screw`: screw motions between the poses, not straight lines. `prove`: each motion is proven, and that there
-    is no other. Raises ValueError with
-    what is wrong with the path or the arm.
+    `free`: "tool_x", "tool_y", "tool_z", "rail_x", "rail_y", "rail_z", "arm_angle" or a joint: the best motion, near to the
+    joints `prefer` if there are any; `free_range`: (lower, upper) of it. `screw`: screw motions between the poses, not straight
+    lines; `spline`: a cubic spline through them; `blend`: straight lines with corners rounded from so many metres before them.
+    `prove`: each motion is proven, and that there is no other. `time`: largest joint accelerations, rad/s^2 or m/s^2, one or
+    one for each: each motion gets its least times, from rest to rest, under these and the joints' speeds, the description's or
+    `joint_speeds`. Raises ValueError with what is wrong with the path or the arm.
     """
     description, *options = source
     with tempfile.TemporaryDirectory() as folder:
@@ -51,6 +55,9 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         _write(folder / "poses.csv", _rows(poses), times)
         command = [tool(), "path", description, folder / "poses.csv", *_reading(options), "-o", folder / "out.csv"]
         command += _options(robot, free, hold, limits, screw, prefer, prove)
+        command += ["--spline"] * bool(spline) + _numbers("--blend", blend)
+        command += [] if free_range is None else [f"--range={float(free_range[0])!r}:{float(free_range[1])!r}"]
+        command += _numbers("--time", time) + _numbers("--joint-speeds", joint_speeds)
         command += [] if free else ["-o", folder / "out.json"]
         done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
         if not (folder / "out.csv").exists():
@@ -58,7 +65,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         rows = _read(folder / "out.csv")
         if free:
             return _best(rows, times, len(poses))
-        return _all(rows, folder / "out.json", robot, hold or {}, times)
+        return _all(rows, folder / "out.json", robot, hold or {}, times is not None or time is not None)
 
 
 def _numpy():
@@ -117,26 +124,36 @@ def _options(robot, free, hold, limits, screw, prefer, prove):
     return chosen + ["--screw"] * bool(screw) + ["--prove"] * bool(prove)
 
 
+def _numbers(option, values):
+    if values is None:
+        return []
+    return [option, ",".join(repr(float(each)) for each in _numpy().atleast_1d(values))]
+
+
 def _read(file):
     with file.open(newline="") as stream:
         return _numpy().array([[float(each) for each in row] for row in list(csv.reader(stream))[1:]])
 
 
-def _all(rows, file, robot, hold, times):
+def _all(rows, file, robot, hold, has_times):
     about = json.loads(file.read_text())
-    first = 2 + (times is not None)
+    first = 2 + has_times
     motions = []
     for number, each in enumerate(about["motions"], 1):
         own = rows[rows[:, 0] == number]
         branches = [branch for branch in (each["branches"][0], *(one["behind"] for one in each["crossings"])) if branch >= 0]
         gaps = [tuple(gap) for gap in each["proof"]["gaps"]] if "proof" in each else None
         motions.append(Motion(own[:, 1], _with_held(own[:, first:], about["joints"], robot, hold), each["begin"]["cause"],
-                              each["end"]["cause"], branches, each["representatives"], None, gaps))
+                              each["end"]["cause"], branches, each["representatives"], None, gaps,
+                              own[:, 2] if has_times else None))
     end = about["samples"] - 1
     whole = [i for i, each in enumerate(about["motions"]) if each["begin"]["s"] <= 0 and each["end"]["s"] >= end]
     chain = [(each["motion"], each["s"]) for each in about["chain"]]
     others = [tuple(gap) for gap in about["complete"]["gaps"]] if "complete" in about else None
-    return Paths(motions, whole, chain, [tuple(gap) for gap in about["gaps"]], others)
+    least = {i: about["motions"][i].get("least_time") for i in whole}
+    timed = [i for i in whole if least[i] is not None]
+    fastest = min(timed, key=least.get) if timed else None
+    return Paths(motions, whole, chain, [tuple(gap) for gap in about["gaps"]], others, fastest)
 
 
 def _with_held(q, joints, robot, hold):
@@ -153,5 +170,6 @@ def _best(rows, times, count):
         return Paths([], [], [], [(0, count - 1)])
     first = 1 + (times is not None)
     is_whole = len(rows) == count
-    motion = Motion(rows[:, 0], rows[:, first + 1:], "path_end", "path_end" if is_whole else "unclear", [], 1, rows[:, first], None)
+    motion = Motion(rows[:, 0], rows[:, first + 1:], "path_end", "path_end" if is_whole else "unclear", [], 1, rows[:, first], None,
+                    None if times is None else rows[:, 1])
     return Paths([motion], [0] if is_whole else [], [], [] if is_whole else [(rows[-1, 0], count - 1)])

@@ -6,22 +6,25 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <qvgen/path/bend.h>
 #include <qvgen/pose.h>
 #include <qvgen/quaternion.h>
 
-/// A path of the tool as a curve: poses at samples 0, 1, 2, ..., and between two samples either a straight
-/// line with an even turn about one axis, or the screw motion that leads from one to the other. The path
-/// coordinate s counts samples: 2.25 is a quarter of the way from sample 2 to sample 3.
+/// A path of the tool as a curve: poses at samples 0, 1, 2, ..., and between two samples a straight line with
+/// an even turn about one axis, the screw motion that leads from one to the other, or a bent way that leaves
+/// no corner (bend.h). The path coordinate s counts samples: 2.25 is a quarter of the way from sample 2 to
+/// sample 3.
 namespace qvgen::path {
 
 /// How the tool goes from one sample to the next.
 enum class Between {
   straight,  ///< the position on a straight line, the orientation evenly about one axis (slerp)
-  screw      ///< a turn about a fixed line and a slide along it, both even
+  screw,     ///< a turn about a fixed line and a slide along it, both even
+  /// A cubic spline through the samples; at each the rate is the mean of both straight pieces' (Catmull and
+  /// Rom 1974), of positions and of rotation vectors.
+  spline,
+  blend  ///< straight, with corners rounded by parabolas: the samples themselves are passed at a distance
 };
-
-/// Linear velocity (m), then angular velocity (rad), per unit of the path coordinate, in the world frame.
-using Rate = Eigen::Matrix<double, 6, 1>;
 
 /// The way from one sample to the next, with u from 0 to 1.
 class Piece {
@@ -35,37 +38,74 @@ class Piece {
     if (winds_) wind(angle);
   }
 
+  /// The straight piece with its offsets.
+  Piece(const Piece& straight, const SplineBend& bend) : Piece(straight) {
+    spline_ = bend;
+    bend_by(bend.a, bend.b);
+  }
+  Piece(const Piece& straight, const CornerBend& bend) : Piece(straight) {
+    corner_ = bend;
+    bend_by(bend.a * bend.begin, bend.b * bend.end);
+  }
+
   [[nodiscard]] Pose<double> at(double u) const {
-    const Quaternion<double> turned = from_rotation_vector<double>(u * turn_);
-    const Quaternion<double> orientation = turned * from_.orientation;
-    if (!winds_) return {orientation, from_.position + u * move_};
-    return {orientation, centre_ + turned * (from_.position - centre_) + u * move_};
+    if (!is_bent_) return even_at(u);
+    const Pose<double> even = even_at(u);
+    const Rate off = offset(u);
+    return {from_rotation_vector<double>(off.tail<3>()) * even.orientation, even.position + off.head<3>()};
   }
 
   [[nodiscard]] Rate rate(double u) const {
+    if (!is_bent_) return even_rate(u);
+    const Rate off = offset(u), slope = spline_.slope(u) + corner_.slope(u);
     Rate rate;
-    Vector3<double> linear = move_;
-    if (winds_) linear += turn_.cross(from_rotation_vector<double>(u * turn_) * (from_.position - centre_));
-    rate << linear, turn_;
+    rate << move_ + slope.head<3>(),
+        turning(off.tail<3>(), slope.tail<3>()) + from_rotation_vector<double>(off.tail<3>()) * turn_;
     return rate;
   }
 
-  /// Angle between the orientations of both ends, rad.
-  [[nodiscard]] double angle() const { return turn_.norm(); }
-  /// Length of the way, m.
-  [[nodiscard]] double distance() const { return std::hypot(move_.norm(), radius_ * angle()); }
+  /// Angle between the orientations of both ends, rad; of a bent way a bound from above.
+  [[nodiscard]] double angle() const { return turn_.norm() + more_angle_; }
+  /// Length of the way, m; of a bent way a bound from above.
+  [[nodiscard]] double distance() const {
+    return std::hypot(move_.norm(), radius_ * turn_.norm()) + more_way_;
+  }
   /// Numbers of the way: the turn as a rotation vector (rad), the move (m), and whether it winds about a line
   /// through the centre.
   [[nodiscard]] const Vector3<double>& turn() const { return turn_; }
   [[nodiscard]] const Vector3<double>& move() const { return move_; }
   [[nodiscard]] const Vector3<double>& centre() const { return centre_; }
   [[nodiscard]] bool winds() const { return winds_; }
+  [[nodiscard]] bool is_bent() const { return is_bent_; }
   /// True if both ends are the same pose to rounding.
   [[nodiscard]] bool is_point() const { return angle() < least_move && distance() < least_move; }
 
  private:
   static constexpr double least_turn = 1e-7;  ///< below it a screw's axis is too far away to be computed
   static constexpr double least_move = 1e-14;
+
+  [[nodiscard]] Rate offset(double u) const { return spline_.offset(u) + corner_.offset(u); }
+
+  void bend_by(const Rate& a, const Rate& b) {
+    is_bent_ = true;
+    more_way_ = a.head<3>().norm() + b.head<3>().norm();
+    more_angle_ = a.tail<3>().norm() + b.tail<3>().norm();
+  }
+
+  [[nodiscard]] Pose<double> even_at(double u) const {
+    const Quaternion<double> turned = from_rotation_vector<double>(u * turn_);
+    const Quaternion<double> orientation = turned * from_.orientation;
+    if (!winds_) return {orientation, from_.position + u * move_};
+    return {orientation, centre_ + turned * (from_.position - centre_) + u * move_};
+  }
+
+  [[nodiscard]] Rate even_rate(double u) const {
+    Rate rate;
+    Vector3<double> linear = move_;
+    if (winds_) linear += turn_.cross(from_rotation_vector<double>(u * turn_) * (from_.position - centre_));
+    rate << linear, turn_;
+    return rate;
+  }
 
   /// Splits the way into one along the axis and one around it.
   void wind(double angle) {
@@ -81,20 +121,29 @@ class Piece {
   Vector3<double> turn_ = Vector3<double>::Zero(), move_ = Vector3<double>::Zero(),
                   centre_ = Vector3<double>::Zero();
   double radius_ = 0;  ///< of the screw, m
-  bool winds_ = false;
+  bool winds_ = false, is_bent_ = false;
+  SplineBend spline_;
+  CornerBend corner_;
+  double more_way_ = 0, more_angle_ = 0;  ///< of a bent way
 };
 
 /// A view of the samples, which the caller keeps. Quaternions of either sign are fine; they are unit.
 class Curve {
  public:
-  Curve(const Pose<double>* samples, std::size_t count, Between between = Between::straight)
-      : samples_(samples), count_(count), between_(between) {}
+  /// `radius`: of a blend, how far from the samples the straight lines are left, m; half of a piece at most.
+  Curve(const Pose<double>* samples, std::size_t count, Between between = Between::straight,
+        double radius = 0)
+      : samples_(samples), count_(count), between_(between), radius_(radius) {}
 
   [[nodiscard]] std::size_t samples() const { return count_; }
   [[nodiscard]] std::size_t pieces() const { return count_ > 0 ? count_ - 1 : 0; }
   [[nodiscard]] double end() const { return static_cast<double>(pieces()); }
   [[nodiscard]] const Pose<double>& sample(std::size_t i) const { return samples_[i]; }
-  [[nodiscard]] Piece piece(std::size_t i) const { return {samples_[i], samples_[i + 1], between_}; }
+  [[nodiscard]] Piece piece(std::size_t i) const {
+    if (between_ == Between::spline) return spline_piece(i);
+    if (between_ == Between::blend) return blend_piece(i);
+    return {samples_[i], samples_[i + 1], between_};
+  }
 
   /// Returns the piece that a path coordinate is on.
   [[nodiscard]] std::size_t piece_at(double s) const {
@@ -111,9 +160,49 @@ class Curve {
   }
 
  private:
+  [[nodiscard]] Piece straight(std::size_t i) const {
+    return {samples_[i], samples_[i + 1], Between::straight};
+  }
+  /// True if the way goes on without a rest at a sample: not at the ends of the path, nor at poses given
+  /// twice.
+  [[nodiscard]] bool passes(std::size_t sample) const {
+    return sample > 0 && sample < pieces() && !straight(sample - 1).is_point() &&
+           !straight(sample).is_point();
+  }
+  /// Returns how the rate of the straight pieces changes at a sample.
+  [[nodiscard]] Rate change(std::size_t sample) const {
+    return straight(sample).rate(0) - straight(sample - 1).rate(1);
+  }
+
+  [[nodiscard]] Piece spline_piece(std::size_t i) const {
+    SplineBend bend;
+    if (passes(i)) bend.a = -0.5 * change(i);
+    if (passes(i + 1)) bend.b = 0.5 * change(i + 1);
+    return {straight(i), bend};
+  }
+
+  [[nodiscard]] Piece blend_piece(std::size_t i) const {
+    CornerBend bend;
+    if (passes(i)) {
+      bend.a = change(i);
+      bend.begin = share(i);
+    }
+    if (passes(i + 1)) {
+      bend.b = change(i + 1);
+      bend.end = share(i + 1);
+    }
+    return {straight(i), bend};
+  }
+  /// Returns the part of both pieces at a sample that is rounded.
+  [[nodiscard]] double share(std::size_t sample) const {
+    const double longest = std::max(straight(sample - 1).distance(), straight(sample).distance());
+    return radius_ < 0.5 * longest ? radius_ / longest : 0.5;
+  }
+
   const Pose<double>* samples_;
   std::size_t count_;
   Between between_;
+  double radius_;
 };
 
 }  // namespace qvgen::path

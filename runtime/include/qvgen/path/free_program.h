@@ -17,7 +17,14 @@ inline Pose<double> turned(const Pose<double>& pose, int axis, double angle) {
   return {pose.orientation * from_rotation_vector<double>(turn), pose.position};
 }
 
-/// Arguments behind the file of samples, "straight" or "screw", and the file of motions.
+/// The pose as an arm sees it whose base has travelled along one of its own axes, 0 to 2 for x to z.
+inline Pose<double> from_rail(const Pose<double>& pose, int axis, double way) {
+  Pose<double> seen = pose;
+  seen.position[axis] -= way;
+  return seen;
+}
+
+/// Arguments behind the file of samples, the way between them, and the file of motions.
 template <int dof>
 struct FreeRequest {
   Request path;
@@ -90,15 +97,16 @@ void write_free_json(std::size_t samples, double followed, double seconds,
   std::printf("]}\n");
 }
 
-/// Arguments: the file of samples, "straight" or "screw", the file of the motion or "-", lower and upper end
-/// of the free coordinate, "circle" or "range", how many values are tried, the weight of the preferred
-/// joints, lower limits, upper limits, preferred joints. `solve(pose, value)` returns all solutions.
+/// Arguments: the file of samples, the way between them (`read_between`), the file of the motion or "-",
+/// lower and upper end of the free coordinate, "circle" or "range", how many values are tried, the weight of
+/// the preferred joints, lower limits, upper limits, preferred joints. `solve(pose, value)` returns all
+/// solutions.
 template <int dof, int capacity, class Solve>
 int run_free(int argc, char** argv, const char* header, const JointKinds<dof>& revolute, const Solve& solve) {
   FreeRequest<dof> request;
   if (argc != 9 + 3 * dof || !read_samples(argv[1], request.path)) return 2;
   const auto number = [&](int i) { return std::strtod(argv[i], nullptr); };
-  request.path.between = std::string(argv[2]) == "screw" ? Between::screw : Between::straight;
+  read_between(argv[2], request.path);
   if (std::string(argv[3]) != "-") request.path.motions = argv[3];
   request.range.lower = number(4);
   request.range.upper = number(5);
@@ -110,7 +118,7 @@ int run_free(int argc, char** argv, const char* header, const JointKinds<dof>& r
     request.limits.upper[i] = number(9 + dof + i);
     request.preferred[i] = number(9 + 2 * dof + i);
   }
-  const Curve curve(request.path.samples.data(), request.path.samples.size(), request.path.between);
+  const Curve curve = curve_of(request.path);
   const auto solve_at = [&](double s, double value) { return solve(curve.at(s), value); };
   const FreeResult<dof, capacity, decltype(solve_at)> result(solve_at, request, revolute);
   write_free_json<dof>(request.path.samples.size(), result.followed, result.seconds, result.places);

@@ -25,6 +25,7 @@ struct Request {
   std::vector<Pose<double>> samples;
   std::vector<double> times;  ///< empty without
   Between between = Between::straight;
+  double radius = 0;  ///< of a blend, m
   JointLimits<6> limits;
   bool is_timed = false;  ///< the least time of each motion is wanted
   RateLimits<6> rates{};
@@ -33,6 +34,19 @@ struct Request {
 
 /// Stands for proofs where none are wanted.
 struct NoProofs {};
+
+/// Reads how the tool goes between the samples: "straight", "screw", "spline", or the radius of a blend.
+inline void read_between(const std::string& word, Request& request) {
+  request.between = word == "straight" ? Between::straight
+                    : word == "screw"  ? Between::screw
+                    : word == "spline" ? Between::spline
+                                       : Between::blend;
+  if (request.between == Between::blend) request.radius = std::strtod(word.c_str(), nullptr);
+}
+
+inline Curve curve_of(const Request& request) {
+  return {request.samples.data(), request.samples.size(), request.between, request.radius};
+}
 
 inline bool read_samples(const char* file, Request& request) {
   std::FILE* from = std::fopen(file, "rb");
@@ -58,7 +72,7 @@ class Found {
       : arm_(arm),
         bounds_(bounds),
         request_(request),
-        curve_(request.samples.data(), request.samples.size(), request.between),
+        curve_(curve_of(request)),
         q_(request.samples.size() * capacity * 6),
         track_(request.samples.size() * capacity),
         tracks_(most_tracks),
@@ -284,15 +298,15 @@ class Found {
   double seconds_ = 0, complete_seconds_ = 0;
 };
 
-/// Arguments: the file of samples, "straight" or "screw", the file of motions or "-", the value of the joint
-/// that is held (0 without), six lower and six upper limits, and, for least times, six speeds and six
-/// accelerations. `arm_of` makes the arm from that value, `bounds_of` its bounds for proofs.
+/// Arguments: the file of samples, the way between them (`read_between`), the file of motions or "-", the
+/// value of the joint that is held (0 without), six lower and six upper limits, and, for least times, six
+/// speeds and six accelerations. `arm_of` makes the arm from that value, `bounds_of` its bounds for proofs.
 template <class ArmOf, class BoundsOf>
 int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of) {
   if (argc != 17 && argc != 29) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
-  request.between = std::string(argv[2]) == "screw" ? Between::screw : Between::straight;
+  read_between(argv[2], request);
   if (std::string(argv[3]) != "-") request.motions = argv[3];
   for (int i = 0; i < 6; ++i) {
     request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <qvgen/inverse/certified/tube.h>
 #include <qvgen/path/curve.h>
@@ -21,8 +22,13 @@ struct Proven {
 
 namespace proving {
 
+/// Returns a piece as the proofs take it. They know straight lines and screws: nothing is proven of bent
+/// ways.
 inline inverse::certified::Way way_of(const Curve& curve, std::size_t i) {
   const Piece piece = curve.piece(i);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  if (piece.is_bent())
+    return {curve.sample(i), curve.sample(i + 1), Vector3<double>::Constant(nan), {}, {}, false};
   return {curve.sample(i), curve.sample(i + 1), piece.turn(), piece.move(), piece.centre(), piece.winds()};
 }
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The motion along a path that leaves one coordinate free, as JSON and as a picture.
+#include "path/free.h"
+#include "path/result.h"
+
+namespace qvgen::path {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Joint values, then what is free if it is no joint.
+std::vector<double> panels_of(const FreeMotion::Place& place, const FreeTask& task) {
+  std::vector<double> values = place.q;
+  if (task.joint() == nullptr) values.push_back(place.value);
+  return values;
+}
+
+Motion motion_of(const FreeMotion& free, const FreeTask& task) {
+  Motion motion;
+  for (std::size_t i = 0; i < free.places.size(); ++i)
+    motion.curve.emplace_back(static_cast<double>(i), panels_of(free.places[i], task));
+  motion.begin = {0, "path_end", -1, false, 0, motion.curve.front().second};
+  motion.end = {free.followed, "path_end", -1, false, 0, motion.curve.back().second};
+  return motion;
+}
+
+}  // namespace
+
+ordered_json json_of(const FreeMotion& motion, const FreeTask& task, const std::string& robot) {
+  ordered_json json{{"robot", robot}, {"joints", ordered_json::array()}, {"free", task.free}};
+  for (const MovingJoint& joint : task.joints) json["joints"].push_back(joint.name);
+  json["samples"] = motion.samples;
+  json["seconds"] = motion.seconds;
+  json["followed"] = motion.followed;
+  json["motion"] = ordered_json::array();
+  for (std::size_t i = 0; i < motion.places.size(); ++i)
+    json["motion"].push_back({{"s", i}, {"value", motion.places[i].value}, {"q", motion.places[i].q}});
+  return json;
+}
+
+std::string picture_of(const FreeMotion& motion, const FreeTask& task, const std::string& title) {
+  Task panels;
+  panels.joints = task.joints;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (task.joint() == nullptr)
+    panels.joints.push_back({task.free, task.turns(), {-infinity, infinity}, infinity, 0});
+  Result result;
+  result.samples = motion.samples;
+  if (!motion.places.empty()) result.motions.push_back(motion_of(motion, task));
+  return picture_of(result, panels, title);
+}
+
+}  // namespace qvgen::path
