@@ -9,6 +9,7 @@
 #include "pipeline/folder_state.h"
 #include "pipeline/output_folder.h"
 #include "report/pages.h"
+#include "report/whole_page.h"
 
 namespace qvgen::cli {
 namespace {
@@ -20,7 +21,15 @@ struct Task {
   model::Robot robot;
   std::string origin;
   std::string key;
+  std::optional<report::WholeRobot> whole = {};  ///< a page of several limbs, whose own tasks are others
 };
+
+/// Returns the whole robot behind the tasks of its limbs.
+Task task_of_whole(const description::ReadResult& result, const std::vector<Task>& limbs) {
+  report::WholeRobot whole{result.robot->name, result.robot->title, tree_lines(result), {}};
+  for (const Task& limb : limbs) whole.limbs.push_back(limb.robot);
+  return {*result.robot, limbs.front().origin, pipeline::fingerprint(limbs.front().key + " whole"), whole};
+}
 
 std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingredients& ingredients,
                            const std::vector<description::ReadResult>& descriptions) {
@@ -29,12 +38,15 @@ std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingre
     const std::string origin =
         pipeline::origin_of(arguments.descriptions[i], arguments.output, arguments.known_robots) +
         origin_options(arguments.read) + " report";
+    std::vector<Task> limbs;
     for (const description::ReadResult& limb : limbs_of(descriptions[i])) {
       const std::string made_of =
           fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read), limb.text,
                       report::made_of(limb.robot->name, ingredients));
-      tasks.push_back({*limb.robot, origin, pipeline::fingerprint(made_of)});
+      limbs.push_back({*limb.robot, origin, pipeline::fingerprint(made_of)});
     }
+    if (!descriptions[i].tips.empty()) tasks.push_back(task_of_whole(descriptions[i], limbs));
+    std::move(limbs.begin(), limbs.end(), std::back_inserter(tasks));
   }
   return tasks;
 }
@@ -78,14 +90,17 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
                        const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
-  for (const Task& task : changed) robots.push_back(task.robot);
+  for (const Task& task : changed)
+    if (!task.whole) robots.push_back(task.robot);
   ProgressLine progress(robots.size());
   auto pages =
       report::robot_pages(robots, ingredients, [&](const std::string& robot) { progress.finished(robot); });
   FolderUpdate update;
   update.entries = report::entries_name;
-  for (std::size_t i = 0; i < pages.size(); ++i)
-    update.robots.push_back({std::move(pages[i]), changed[i].origin, changed[i].key});
+  auto page = pages.begin();
+  for (const Task& task : changed)
+    update.robots.push_back(
+        {task.whole ? report::whole_page(*task.whole) : std::move(*page++), task.origin, task.key});
   update.removed = forgotten(arguments, tasks);
   update.shared = report::common_pages(pipeline::entries_after(arguments.output, update), errata(arguments));
   return update;

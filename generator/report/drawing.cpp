@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,12 @@
 
 namespace qvgen::report {
 namespace {
+
+/// A chain at joint values.
+struct Placed {
+  const Chain& chain;
+  std::vector<double> q;
+};
 
 /// Something drawn, in the world, with its distance from the reader.
 struct Shape {
@@ -215,48 +223,71 @@ void draw_ground(Picture& picture, double radius) {
   picture.solid("ground", plate, {0, 0, 1});
 }
 
-/// The joints' symbols or frames, with their names where they are wanted.
+/// The joints' symbols or frames, with their names where they are wanted. `drawn`: joints that other limbs
+/// have drawn.
 void draw_joints(Picture& picture, const Chain& chain, const Posture& posture, const Caption& caption,
-                 double radius) {
+                 double radius, std::set<std::string>& drawn) {
   const std::vector<Vector> places = symbol_places(posture, radius);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    if (!drawn.insert(chain.joints[i].variable).second) continue;
     const Posture::Joint& joint = posture.joints[i];
     if (caption.frames)
       draw_frame(picture, "frame", joint.frame, 2.4 * radius);
     else
       draw_joint(picture, chain.joints[i], joint, places[i], radius);
-  }
-  if (!caption.names) return;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    if (!caption.names) continue;
     const std::string name = caption.frames ? std::to_string(i + 1) : typeset(chain.joints[i].variable);
-    picture.label(caption.frames ? posture.joints[i].moved : places[i], name, "joint-name");
+    picture.label(caption.frames ? joint.moved : places[i], name, "joint-name");
   }
 }
 
-std::string picture_of(const Chain& chain, const std::vector<double>& q, const Caption& caption, double width,
+std::string picture_of(const std::vector<Placed>& limbs, const Caption& caption, double width,
                        double height) {
-  const Posture posture = posture_of(chain, q);
-  const double radius = 0.03 * size_of(chain);
+  double size = 0;
+  for (const Placed& each : limbs) size = std::max(size, size_of(each.chain));
+  const double radius = 0.03 * size;
   Picture picture(width, height, 13);
   draw_ground(picture, radius);
-  for (const auto& leg : posture.legs) picture.line(caption.frames ? "link pale" : "link", leg.from, leg.to);
-  draw_joints(picture, chain, posture, caption, radius);
-  draw_frame(picture, "tool", posture.tool, 3.2 * radius);
-  if (caption.names && !caption.frames)
-    for (const auto& leg : posture.legs) picture.label(0.5 * (leg.from + leg.to), leg.name, "leg-name");
+  std::set<std::string> drawn;
+  for (const auto& [chain, q] : limbs) {
+    const Posture posture = posture_of(chain, q);
+    for (const auto& leg : posture.legs)
+      picture.line(caption.frames ? "link pale" : "link", leg.from, leg.to);
+    draw_joints(picture, chain, posture, caption, radius, drawn);
+    draw_frame(picture, "tool", posture.tool, 3.2 * radius);
+    if (caption.names && !caption.frames && limbs.size() == 1)
+      for (const auto& leg : posture.legs) picture.label(0.5 * (leg.from + leg.to), leg.name, "leg-name");
+  }
   return picture.svg(caption);
+}
+
+/// Limbs with joint values in which most arms look like arms; joints that they share have one value.
+std::vector<Placed> bent(const std::vector<Chain>& limbs) {
+  std::map<std::string, double> values;
+  std::vector<Placed> placed;
+  for (const Chain& limb : limbs) {
+    std::vector<double> q = bent_pose(limb);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      q[i] = values.emplace(limb.joints[i].variable, q[i]).first->second;
+    placed.push_back({limb, following(limb, q)});
+  }
+  return placed;
 }
 
 }  // namespace
 
 std::string drawing(const Chain& chain, const std::vector<double>& q, const Caption& caption) {
-  return picture_of(chain, q, caption, 460, 400);
+  return picture_of({{chain, q}}, caption, 460, 400);
 }
 
-std::string thumbnail(const Chain& chain, const Caption& caption) {
+std::string drawing(const std::vector<Chain>& limbs, const Caption& caption) {
+  return picture_of(bent(limbs), caption, 460, 400);
+}
+
+std::string thumbnail(const std::vector<Chain>& limbs, const Caption& caption) {
   Caption plain = caption;
   plain.names = false;
-  return picture_of(chain, bent_pose(chain), plain, 220, 190);
+  return picture_of(bent(limbs), plain, 220, 190);
 }
 
 }  // namespace qvgen::report

@@ -20,7 +20,10 @@ struct Caption {
 /// The arm as an SVG: turns as cylinders on their axes, slides as boxes, constant pieces as lines.
 std::string drawing(const Chain& chain, const std::vector<double>& q, const Caption& caption);
 
-/// Draws an arm small and without names, for lists.
-std::string thumbnail(const Chain& chain, const Caption& caption);
+/// Draws a whole robot by its limbs; joints that they share are drawn once.
+std::string drawing(const std::vector<Chain>& limbs, const Caption& caption);
+
+/// Draws an arm, or the limbs of a whole robot, small and without names, for lists.
+std::string thumbnail(const std::vector<Chain>& limbs, const Caption& caption);
 
 }  // namespace qvgen::report

@@ -115,7 +115,7 @@ ordered_json entry_of(const model::Robot& robot, const std::vector<Compared>& co
   const auto structure = robot.joints.size() >= 3 ? canonical::structure_of(robot) : std::nullopt;
   entry["workspace"] = structure ? to_string(canonical::workspace_of(*structure)) : "";
   const std::string text = fmt::format("{} joints, {}.", robot.joints.size(), letters_of(robot));
-  entry["thumbnail"] = thumbnail(chain_of(robot), {robot.name + "-small", robot.name, text});
+  entry["thumbnail"] = thumbnail({chain_of(robot)}, {robot.name + "-small", robot.name, text});
   ordered_json& whats = entry["compared"] = ordered_json::object();
   for (const Compared& each : compared)
     for (const compare::Row& row : each.rows)

@@ -49,13 +49,28 @@ TEST_F(CommandLine, ComparesFormulationsOfLimbs) {
       has(run("compare " + hopper + " --what dynamics"), "hopper_foot: it has no inertia, so no dynamics"));
 }
 
-TEST_F(CommandLine, MakesAPageOfEachLimb) {
+TEST_F(CommandLine, MakesAPageOfTheWholeAndOfEachLimb) {
   const std::string pages = (folder / "pages").string();
   const ToolRun made = run("report " + hopper + " -o " + pages);
   EXPECT_EQ(made.code, 0) << made.output;
-  EXPECT_TRUE(has(made, "2 pages in")) << made.output;
+  EXPECT_TRUE(has(made, "3 pages in")) << made.output;
   for (const char* page : {"hopper_foot.html", "hopper_end.html", "index.html"})
     EXPECT_TRUE(fs::exists(folder / "pages" / page)) << page;
+  std::ifstream file(folder / "pages/hopper.html");
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  for (const std::string part :
+       {"<svg", "hopper: the base moves freely, 3 joints, 2 tips\n  hip turns\n    shin slides",
+        "href=\"hopper_foot.html\"", "href=\"hopper_end.html\"", "3 joints, 2 limbs."})
+    EXPECT_NE(whole.find(part), std::string::npos) << part;
+  // Each joint is drawn once: two turns and a slide, with a frame at either tip.
+  const auto count = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = whole.find(text, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("class=\"turn\""), 2U);
+  EXPECT_EQ(count("class=\"slide\""), 1U);
+  EXPECT_EQ(count("class=\"tool-x\""), 2U);
   EXPECT_TRUE(has(run("report " + hopper + " -o " + pages), "0 made, 0 files changed"));
 }
 
