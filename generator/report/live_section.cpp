@@ -113,7 +113,9 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
     return header.find(robot.name + "_" + function + "(") != std::string::npos;
   };
   if (!declares("jacobian")) return without("the robot has no C functions");
-  const bool has_inverse = files.count("qvgen_" + robot.name + "_inverse.h") > 0;
+  constexpr std::size_t most_with_one_given = 7;  // the page has a slider for one
+  const bool has_inverse =
+      robot.joints.size() <= most_with_one_given && files.count("qvgen_" + robot.name + "_inverse.h") > 0;
   const InverseCall in_c = has_inverse ? inverse_call(output) : InverseCall{};
   const bool has_measures = declares("singularity_measures");
   files["calls.c"] = calls_text(robot, in_c, has_measures);

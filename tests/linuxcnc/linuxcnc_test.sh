@@ -6,8 +6,9 @@ set -euo pipefail
 source=$1 work=$2 tool=$3 cc=$4
 here=$source/tests/linuxcnc
 mkdir -p "$work"
-for robot in puma560 ns; do
-  "$tool" generate $robot --only kinematics,inverse,linuxcnc --require linuxcnc --language c --output "$work" --quiet
+for description in puma560 ns "$source/tests/motors/bevel_arm.toml"; do
+  robot=$(basename "$description" .toml)
+  "$tool" generate "$description" --only kinematics,inverse,linuxcnc --require linuxcnc --language c --output "$work" --quiet
   component=$work/c/qvgen_${robot}_kins.c
   warnings=(-std=c99 -Wall -Wextra -Wshadow -Wconversion -Werror -Wno-unused-function)
   if [[ -e /usr/include/linuxcnc/kinematics.h ]]; then

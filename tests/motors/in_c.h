@@ -9,11 +9,13 @@
 #include <vector>
 
 #include <qvgen/robots/gantry.h>
+#include <qvgen/robots/nested_wrist.h>
 #include <qvgen/robots/rail_seven.h>
 #include <qvgen_belt_scara_inverse.h>
 #include <qvgen_bevel_arm_inverse.h>
 #include <qvgen_gantry_inverse.h>
 #include <qvgen_geared_seven_inverse.h>
+#include <qvgen_nested_wrist_inverse.h>
 #include <qvgen_rail_seven_inverse.h>
 
 #include "arms.h"
@@ -32,6 +34,30 @@ struct BevelInC : BevelArm {
   static constexpr auto start = bevel_arm_start_representatives;
   static constexpr auto next = bevel_arm_next_representative;
   static auto given(const Vector& /*q*/) { return std::tuple<>(); }
+};
+
+/// Six turns; whole turns of the fourth move three motors.
+struct NestedInC : MotorArm<6> {
+  using Set = nested_wrist_solutions;
+  using Representatives = nested_wrist_representatives;
+  using Map = robots::nested_wrist::detail::MotorMap;
+  static constexpr auto all = nested_wrist_inverse_kinematics;
+  static constexpr auto within = nested_wrist_inverse_kinematics_within_limits;
+  static constexpr auto next_to = nested_wrist_inverse_kinematics_near;
+  static constexpr auto next_to_within = nested_wrist_inverse_kinematics_near_within_limits;
+  static constexpr auto start = nested_wrist_start_representatives;
+  static constexpr auto next = nested_wrist_next_representative;
+  static auto pose(const Vector& q) { return robots::nested_wrist::forward_kinematics(q); }
+  static auto given(const Vector& /*q*/) { return std::tuple<>(); }
+  NestedInC() : MotorArm("nested_wrist") {}
+  template <class... More>
+  static auto solve(const Vector& /*at*/, const qvgen::Pose<double>& pose, const More&... more) {
+    return robots::nested_wrist::inverse_kinematics(pose, more...);
+  }
+  template <class... More>
+  static auto near(const Vector& /*at*/, const qvgen::Pose<double>& pose, const More&... more) {
+    return robots::nested_wrist::inverse_kinematics_near(pose, more...);
+  }
 };
 
 /// Four joints, a slide among them, asked for by poses.

@@ -27,13 +27,24 @@ class InC : public testing::Test {
   }
 };
 
-using ArmsInC = testing::Types<BevelInC, BeltInC, GearedInC, RailInC, GantryInC>;
+using ArmsInC = testing::Types<BevelInC, NestedInC, BeltInC, GearedInC, RailInC, GantryInC>;
 TYPED_TEST_SUITE(InC, ArmsInC);
 
 template <class Arm>
 constexpr bool has_motors = requires {
   typename Arm::Map;
 };
+
+/// A search in depth is among what is compared.
+TEST(MotorTurnsInC, HaveABlockOfThree) {
+  constexpr auto& turns = robots::nested_wrist::detail::MotorMap::turns;
+  int in_block = 0, most = 0;
+  for (int level = 0; level < turns.count; ++level) {
+    most = std::max(most, ++in_block);
+    if (turns.ends_block[level]) in_block = 0;
+  }
+  EXPECT_EQ(most, 3);
+}
 
 template <class Arm, class Rows>
 auto nearest_of(const Rows& rows, const typename Arm::Vector& seed, const JointLimits<Arm::dof>& limits) {

@@ -121,6 +121,7 @@ bool has_joint_limits(const model::Robot& robot) {
   });
 }
 
+/// The relation of joints and motors, with limits and whole turns, in the words of a language.
 json relation(const model::Robot& described, const Words& words) {
   const std::vector<Row> inverse = *model::inverse_shares(described);
   const std::vector<Row> matrix = matrix_of(described);

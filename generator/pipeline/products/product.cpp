@@ -60,7 +60,7 @@ const std::vector<Extra>& all_extras() {
       {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
       {"given_joint", {"kinematics", "inverse", "jacobian"}, add_given_joint},
       {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose, false, true},
-      {"linuxcnc", {"kinematics", "inverse"}, add_linuxcnc, false, false, true}};
+      {"linuxcnc", {"kinematics", "inverse"}, add_linuxcnc, false, true, true}};
   return extras;
 }
 
