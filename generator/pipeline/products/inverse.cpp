@@ -30,6 +30,7 @@
 #include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
+#include "verify/counts_json.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -150,8 +151,11 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const emit::c::Printer in_c(values["space"].get<std::string>() + "_");
   const emit::ast::Printer& printer = language == Language::c ? in_c : emit::cpp();
   const json geometry = geometry_values(problem, given, printer);
-  if (const auto counts = verify::inverse_counts(plan); !counts.empty())
-    all_counts[values["function"].get<std::string>()] = counts;
+  const auto counts = verify::inverse_counts(plan);
+  if (!counts.empty()) all_counts[values["function"].get<std::string>()] = counts;
+  values["is_counted"] = !counts.empty();
+  values["operations"] =
+      counts.empty() ? "" : verify::describe(verify::counts_from_json(counts.at("emitted")));
   // A tracker of branches is there for a wrist alone too.
   const std::size_t joints = std::max<std::size_t>(polished_joints(derived), 1);
   const int branches = polished_branches(derived);
