@@ -93,3 +93,11 @@ def test_package():
     signature = inspect.signature(qvgen.load).parameters
     only = [each.arg for each in stub.args.kwonlyargs]
     assert [*(each.arg for each in stub.args.args), stub.args.vararg.arg, *only] == list(signature)
+
+
+def test_the_oldest_python():
+    """Every module is in the syntax of Python 3.9."""
+    modules = sorted(pathlib.Path(qvgen.__file__).parent.rglob("*.py"))
+    assert len(modules) > 15
+    for module in modules:
+        ast.parse(module.read_text(encoding="utf-8"), filename=str(module), feature_version=(3, 9))

@@ -29,6 +29,7 @@
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
 #include "pipeline/products/inverse_work.h"
+#include "verify/counts_json.h"
 #include "verify/inverse/certify.h"
 #include "verify/inverse/count.h"
 
@@ -148,8 +149,11 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   values.update(plan_values(problem, plan));
   const emit::c::Printer in_c(values["space"].get<std::string>() + "_");
   const emit::ast::Printer& printer = language == Language::c ? in_c : emit::cpp();
-  if (const auto counts = verify::inverse_counts(plan); !counts.empty())
-    all_counts[values["function"].get<std::string>()] = counts;
+  const auto counts = verify::inverse_counts(plan);
+  if (!counts.empty()) all_counts[values["function"].get<std::string>()] = counts;
+  values["is_counted"] = !counts.empty();
+  values["operations"] =
+      counts.empty() ? "" : verify::describe(verify::counts_from_json(counts.at("emitted")));
   values.update(step_values(problem.robot, plan, printer));
   values.update(pass_values(problem, plan, printer));
   values.update(work_values(problem, derivation.plan));
