@@ -32,8 +32,6 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
-bool is_positive_definite(const Eigen::MatrixXd& a) { return a.ldlt().vectorD().minCoeff() > 0; }
-
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.ldlt().solve(b);
 }

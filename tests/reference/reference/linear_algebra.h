@@ -23,8 +23,6 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& m);
 
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-/// True if a symmetric matrix has positive eigenvalues only.
-bool is_positive_definite(const Eigen::MatrixXd& a);
 /// a x = b, a symmetric and positive or negative semidefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
