@@ -132,7 +132,7 @@ std::string complete_text(const path::Result& result) {
   text += fmt::format(" ({:.2g} s)\n", result.complete->seconds);
   if (result.complete->found > 0)
     text += fmt::format(
-        "the proof has met motions that exist between two poses only, at {} places: they are listed\n",
+        "{} of the motions, but for limits, were met by the proof alone: each lies between two places\n",
         result.complete->found);
   return text;
 }

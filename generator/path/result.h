@@ -49,7 +49,7 @@ struct Motion {
 /// Proof that there are no other motions.
 struct CompleteProof {
   std::vector<std::pair<double, double>> gaps;  ///< stretches that are not proven
-  std::size_t found = 0;                        ///< places added, where the proof met another solution
+  int found = 0;                                ///< motions, but for limits, that only the proof has met
   double seconds = 0;
 };
 

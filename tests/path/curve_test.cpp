@@ -133,8 +133,9 @@ TEST(Curve, ASplinePassesItsSamplesAndEvenOnesAreStraight) {
     EXPECT_LT(angular_distance(spline.at(static_cast<double>(k)), samples[k]), 1e-12);
   }
   for (std::size_t k = 0; k < 5; ++k)
-    samples[k] = {from_rotation_vector<double>(0.3 * static_cast<double>(k) * Vector3<double>(1, 2, 3).normalized()),
-                  0.1 * static_cast<double>(k) * Vector3<double>(1, 0, 1)};
+    samples[k] = {
+        from_rotation_vector<double>(0.3 * static_cast<double>(k) * Vector3<double>(1, 2, 3).normalized()),
+        0.1 * static_cast<double>(k) * Vector3<double>(1, 0, 1)};
   const Curve even(samples.data(), samples.size(), Between::spline), line(samples.data(), samples.size());
   for (const double s : {0.2, 1.7, 2.5, 3.9}) {
     EXPECT_LT(linear_distance(even.at(s), line.at(s)), 1e-12);

@@ -127,7 +127,7 @@ def _options(robot, free, hold, limits, screw, prefer, prove):
 def _numbers(option, values):
     if values is None:
         return []
-    return [option, ",".join(repr(float(each)) for each in _numpy().atleast_1d(values))]
+    return [f"{option}=" + ",".join(repr(float(each)) for each in _numpy().atleast_1d(values))]
 
 
 def _read(file):

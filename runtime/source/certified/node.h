@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "row.h"
 
 /// Pieces of which proofs of motions are made: small boxes at places of the way, and boxes around two of them

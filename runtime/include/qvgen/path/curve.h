@@ -39,25 +39,18 @@ class Piece {
   }
 
   /// The straight piece with its offsets.
-  Piece(const Piece& straight, const SplineBend& bend) : Piece(straight) {
-    spline_ = bend;
-    bend_by(bend.a, bend.b);
-  }
-  Piece(const Piece& straight, const CornerBend& bend) : Piece(straight) {
-    corner_ = bend;
-    bend_by(bend.a * bend.begin, bend.b * bend.end);
-  }
+  Piece(const Piece& straight, const Bend& bend) : Piece(straight) { bend_ = bend; }
 
   [[nodiscard]] Pose<double> at(double u) const {
-    if (!is_bent_) return even_at(u);
+    if (!is_bent()) return even_at(u);
     const Pose<double> even = even_at(u);
-    const Rate off = offset(u);
+    const Rate off = bend_.offset(u);
     return {from_rotation_vector<double>(off.tail<3>()) * even.orientation, even.position + off.head<3>()};
   }
 
   [[nodiscard]] Rate rate(double u) const {
-    if (!is_bent_) return even_rate(u);
-    const Rate off = offset(u), slope = spline_.slope(u) + corner_.slope(u);
+    if (!is_bent()) return even_rate(u);
+    const Rate off = bend_.offset(u), slope = bend_.slope(u);
     Rate rate;
     rate << move_ + slope.head<3>(),
         turning(off.tail<3>(), slope.tail<3>()) + from_rotation_vector<double>(off.tail<3>()) * turn_;
@@ -65,10 +58,10 @@ class Piece {
   }
 
   /// Angle between the orientations of both ends, rad; of a bent way a bound from above.
-  [[nodiscard]] double angle() const { return turn_.norm() + more_angle_; }
+  [[nodiscard]] double angle() const { return turn_.norm() + (is_bent() ? bend_.more_angle() : 0); }
   /// Length of the way, m; of a bent way a bound from above.
   [[nodiscard]] double distance() const {
-    return std::hypot(move_.norm(), radius_ * turn_.norm()) + more_way_;
+    return std::hypot(move_.norm(), radius_ * turn_.norm()) + (is_bent() ? bend_.more_way() : 0);
   }
   /// Numbers of the way: the turn as a rotation vector (rad), the move (m), and whether it winds about a line
   /// through the centre.
@@ -76,21 +69,13 @@ class Piece {
   [[nodiscard]] const Vector3<double>& move() const { return move_; }
   [[nodiscard]] const Vector3<double>& centre() const { return centre_; }
   [[nodiscard]] bool winds() const { return winds_; }
-  [[nodiscard]] bool is_bent() const { return is_bent_; }
+  [[nodiscard]] bool is_bent() const { return bend_.kind != Bend::Kind::none; }
   /// True if both ends are the same pose to rounding.
   [[nodiscard]] bool is_point() const { return angle() < least_move && distance() < least_move; }
 
  private:
   static constexpr double least_turn = 1e-7;  ///< below it a screw's axis is too far away to be computed
   static constexpr double least_move = 1e-14;
-
-  [[nodiscard]] Rate offset(double u) const { return spline_.offset(u) + corner_.offset(u); }
-
-  void bend_by(const Rate& a, const Rate& b) {
-    is_bent_ = true;
-    more_way_ = a.head<3>().norm() + b.head<3>().norm();
-    more_angle_ = a.tail<3>().norm() + b.tail<3>().norm();
-  }
 
   [[nodiscard]] Pose<double> even_at(double u) const {
     const Quaternion<double> turned = from_rotation_vector<double>(u * turn_);
@@ -121,10 +106,8 @@ class Piece {
   Vector3<double> turn_ = Vector3<double>::Zero(), move_ = Vector3<double>::Zero(),
                   centre_ = Vector3<double>::Zero();
   double radius_ = 0;  ///< of the screw, m
-  bool winds_ = false, is_bent_ = false;
-  SplineBend spline_;
-  CornerBend corner_;
-  double more_way_ = 0, more_angle_ = 0;  ///< of a bent way
+  bool winds_ = false;
+  Bend bend_;
 };
 
 /// A view of the samples, which the caller keeps. Quaternions of either sign are fine; they are unit.
@@ -175,14 +158,14 @@ class Curve {
   }
 
   [[nodiscard]] Piece spline_piece(std::size_t i) const {
-    SplineBend bend;
+    Bend bend = Bend::spline();
     if (passes(i)) bend.a = -0.5 * change(i);
     if (passes(i + 1)) bend.b = 0.5 * change(i + 1);
     return {straight(i), bend};
   }
 
   [[nodiscard]] Piece blend_piece(std::size_t i) const {
-    CornerBend bend;
+    Bend bend = Bend::corners();
     if (passes(i)) {
       bend.a = change(i);
       bend.begin = share(i);

@@ -142,7 +142,7 @@ class Follower {
   bool leap(const Place<Arm>& next) {
     const Match<Arm> match = matched(arm_, live_.place(), next, options_.longest_step);
     if (!is_calm(arm_, live_.place(), next, match) || live_.nears_limits(next, match)) return false;
-    live_.commit(*equations_, match, next);
+    live_.leap(match, next);
     return true;
   }
 

@@ -50,25 +50,29 @@ class Live {
     return false;
   }
 
-  /// True if a joint is nearer to a limit of its cell, at either end of a step, than the step is long.
-  [[nodiscard]] bool nears_limits(const Place<Arm>& next, const Match<Arm>& match) const {
-    for (int i = 0; limits_.some() && i < place_.found.size(); ++i) {
+  /// Sets the ways of all rows to the next place, and returns true if a joint is nearer to a limit of its
+  /// cell, at either end of a step, than the step is long.
+  [[nodiscard]] bool nears_limits(const Place<Arm>& next, const Match<Arm>& match) {
+    for (int i = 0; i < place_.found.size(); ++i) {
       const Row& row = rows_[index(i)];
-      const Values way = difference(next.found[match.to[index(i)]].q, row.u, arm_.revolute);
+      const Values& way = ways_[index(i)] =
+          difference(next.found[match.to[index(i)]].q, row.u, arm_.revolute);
+      if (!limits_.some()) continue;
       const Values room = (row.cell.above - row.u).cwiseMin(row.u - row.cell.below);
       if ((room.array() < 2 * way.array().abs()).any()) return true;
     }
     return false;
   }
 
-  /// Goes on to the next place, where each row becomes one and none begins.
-  void commit(const Equations<Arm>& equations, const Match<Arm>& match, const Place<Arm>& next) {
-    if (!keeps_order(match, next)) {
-      std::array<Row, capacity> rows;
-      for (int j = 0; j < next.found.size(); ++j) rows[index(j)] = rows_[index(match.from[index(j)])];
-      rows_ = rows;
+  /// Goes on to the next place by the ways that are set, where each row becomes one, none begins, and no
+  /// limit is near.
+  void leap(const Match<Arm>& match, const Place<Arm>& next) {
+    for (int i = 0; i < place_.found.size(); ++i) {
+      Row& row = rows_[index(i)];
+      row.u += ways_[index(i)];
+      if (row.track >= 0) widen(record_.track(row.track), row.u);
     }
-    for (int j = 0; j < next.found.size(); ++j) move(equations, rows_[index(j)], next.u, next.found[j].q);
+    reorder(match, next);
     place_ = next;
   }
 
@@ -121,10 +125,14 @@ class Live {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  static bool keeps_order(const Match<Arm>& match, const Place<Arm>& next) {
+  /// Brings the rows in the order of the next place.
+  void reorder(const Match<Arm>& match, const Place<Arm>& next) {
     int same = 0;
     while (same < next.found.size() && match.from[index(same)] == same) ++same;
-    return same == next.found.size();
+    if (same == next.found.size()) return;
+    std::array<Row, capacity> rows;
+    for (int j = 0; j < next.found.size(); ++j) rows[index(j)] = rows_[index(match.from[index(j)])];
+    rows_ = rows;
   }
   static End end_of(double s, Cause cause, const Values& q, int partner = -1) {
     End end;
@@ -362,6 +370,7 @@ class Live {
   Table& record_;
   Place<Arm> place_;
   std::array<Row, capacity> rows_;
+  std::array<Values, capacity> ways_;  ///< to the next place
   double offset_ = 0;
   bool is_open_ = false;
 };

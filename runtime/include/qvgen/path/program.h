@@ -79,9 +79,11 @@ class Found {
         events_(most_events),
         record_(buffers()) {
     seconds_ = seconds_of([&] { follow(); });
+    const int tracks = record_.tracks();
     if constexpr (has_proofs)
       complete_seconds_ = seconds_of(
           [&] { open_ = prove_complete(arm_, bounds_, curve_, record_, extra_, [&] { follow(); }); });
+    found_ = record_.tracks() - tracks;
     const auto take = [&](const Motion& motion) { motions_.push_back(motion); };
     MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
     record_.is_full = !cut.run() || record_.is_full;
@@ -142,13 +144,13 @@ class Found {
     Follower<Arm>(arm_, curve_, request_.limits, record_, options).run();
   }
 
-  /// Writes what is not proven to have no other motions, and how many places the proof has added.
+  /// Writes what is not proven to have no other motions, and how many tracks only the proof has met.
   void write_complete() const {
     std::printf(",\n\"complete\":{\"gaps\":[");
     for (std::size_t i = 0; i < open_.size(); ++i)
       std::printf("%s[%s,%s]", i > 0 ? "," : "", json::text(open_[i].first).c_str(),
                   json::text(open_[i].second).c_str());
-    std::printf("],\"found\":%zu,\"seconds\":%.6f}", extra_.size(), complete_seconds_);
+    std::printf("],\"found\":%d,\"seconds\":%.6f}", found_, complete_seconds_);
   }
 
   /// Calls with the places of a motion: its ends and each sample between them, or some of these.
@@ -295,6 +297,7 @@ class Found {
   std::vector<std::vector<double>> times_;  ///< of each motion, if they are wanted
   std::vector<double> extra_;               ///< places that the proof has added
   Stretches open_;                          ///< stretches not proven to have no other motions
+  int found_ = 0;                           ///< tracks that only the proof has met
   double seconds_ = 0, complete_seconds_ = 0;
 };
 
