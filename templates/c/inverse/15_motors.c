@@ -106,7 +106,7 @@ static void set_within_motors(WithinMotors* within, const double* lower, const d
   memset(within->alone_step.of, 0, sizeof within->alone_step.of);
   memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
   memset(within->alone_middle.of, 0, sizeof within->alone_middle.of);
-  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_farthest_seed ? centre[i] : 0;
+  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_lost_centre ? centre[i] : 0;
   within->centre = values_of(sensible);
   for (int i = 0; i < bounded; ++i) {
     const int motor = motor_of[i];

@@ -28,8 +28,6 @@ inline constexpr double farthest_joint = range(1e300);
 inline constexpr double lost_centre = digits(1e12);
 /// More whole turns than this are not counted: a half is still a digit of their angle.
 inline constexpr double most_turns = digits(5e8);
-/// A seed of motors beyond this is none: whole turns are lost in its rounding.
-inline constexpr double farthest_seed = digits(1e12);
 
 // Reach, told before any branch is followed.
 
