@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "reference/chain.h"
 #include "reference/expression.h"
@@ -32,10 +33,17 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Their derivatives by all joints, by cross products.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
-/// Passive joints for given ones (indices) at which all gaps vanish, from many starts: each once, angles in
-/// (-pi, pi].
+/// A pose, in the world's frame, that a frame has to be in.
+struct Reached {
+  NamedFrame frame;
+  Isometry3d pose;
+};
+
+/// Joints other than the given ones (indices) at which all gaps vanish and, if asked for, a frame is in its
+/// pose, from many starts: each once, angles in (-pi, pi].
 std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
-                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed);
+                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed,
+                                 const std::optional<Reached>& reached = {});
 
 /// Accelerations of all joints under forces of all joints, with multipliers that hold the loops together.
 VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd& q, const VectorXd& qd,
