@@ -15,6 +15,7 @@ ARGUMENTS = {
     "ad": ("driven_count", "rates of the driven joints, rad/s or m/s"),
     "add": ("driven_count", "accelerations of the driven joints, rad/s^2 or m/s^2"),
     "forces": ("driven_count", "forces of the motors, N m or N"),
+    "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
 }
 # name: arguments, of what it takes constants, shape of a row of the result, a line of text
 FUNCTIONS = {
@@ -28,6 +29,8 @@ FUNCTIONS = {
                        "Rates of the platform's joints by those of the driven ones."),
     "driven_inverse_dynamics": ("q ad add", "geometry inertia gravity", "driven_count",
                                 "Forces of the motors for a motion, N m or N."),
+    "loop_forces": ("q ad add", "geometry inertia gravity", "passive_count",
+                    "Forces in the loops for a motion, N: a rod's pushes its ends apart."),
     "driven_mass_matrix": ("q", "geometry inertia", "driven_count, driven_count", "Mass matrix of the driven joints, symmetric."),
     "driven_forward_dynamics": ("q ad forces", "geometry inertia gravity", "driven_count",
                                 "Accelerations of the driven joints under forces of their motors."),
@@ -36,6 +39,8 @@ OF_A_TIP = {
     "pose_of": ("q", "geometry", "7", "Pose of the tip {} in the world frame: quaternion w, x, y, z, then the position in metres."),
     "jacobian_of": ("q", "geometry", "6, driven_count",
                     "Jacobian of the tip {} by the driven joints, in the world frame, linear rows first."),
+    "motor_forces_of": ("q wrench", "geometry", "driven_count", "Forces of the motors that hold a wrench on the tip {}, N m or N."),
+    "loop_forces_of": ("q wrench", "geometry", "passive_count", "Forces in the loops, N, that a wrench on the tip {} makes."),
 }
 SETS = {"assemble": "a", "assemble_from_outputs": "outputs"}
 ARGUMENTS["pose"] = ("7", "pose of the tip in the world frame: quaternion w, x, y, z, then the position in metres")
@@ -121,7 +126,8 @@ def _read(argument, place, count=None):
     """C++ that reads an argument as a vector of its length."""
     if argument == "pose":
         return READ_POSE
-    size = count or {"output_count": "static_cast<int>(arm::output_joints.size())"}.get(ARGUMENTS[argument][0], f"arm::{ARGUMENTS[argument][0]}")
+    length = str(count) if count else ARGUMENTS[argument][0]
+    size = "static_cast<int>(arm::output_joints.size())" if length == "output_count" else length if length.isdigit() else f"arm::{length}"
     return f"vector<Eigen::Matrix<double, {size}, 1>>(row<double>(c, {place}, k))"
 
 
