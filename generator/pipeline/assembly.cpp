@@ -161,6 +161,18 @@ std::string text_of_order(const model::Robot& described, const AssemblyPlan& ass
   return "";
 }
 
+/// Given slides whose values are lengths of rods, so not below zero.
+json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
+  json list = json::array();
+  for (const std::size_t joint : given) {
+    const auto& closures = mechanism.loops.closures;
+    if (std::any_of(closures.begin(), closures.end(),
+                    [&](const model::Loop& loop) { return loop.length_joint == joint; }))
+      list.push_back({{"joint", joint}});
+  }
+  return list;
+}
+
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
   const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
   const verify::LoopCertificate certificate =
@@ -188,6 +200,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given_count", assembly.given.size()},
           {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
           {"given_values", given_values},
+          {"lengths", lengths_in(mechanism, assembly.given)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},

@@ -84,18 +84,18 @@ TEST_P(Arms, ReachPosesWithClosedLoopsEachRowOnce) {
 
 TEST_P(Arms, LackNoRowThatNewtonFindsFromManyStarts) {
   int compared = 0;
-  for (int k = 0; k < QVGEN_LOOP_INPUTS / 4; ++k) {
+  for (int k = 0; k < QVGEN_LOOP_INPUTS / 8; ++k) {
     const VectorXd q = sampled();
     const Set set = tip_.inverse(pose(q));
     const reference::Reached reached{frame_, Eigen::Isometry3d(pose(q))};
     if (set.status != Status::solved) continue;
     for (const VectorXd& other :
-         reference::assemblies(reference_, zero(), {}, 100, static_cast<unsigned>(k), reached)) {
+         reference::assemblies(reference_, zero(), {}, 60, static_cast<unsigned>(k), reached)) {
       EXPECT_TRUE(has(set, other, 1e-5)) << "missing: " << other.transpose();
       ++compared;
     }
   }
-  EXPECT_GT(compared, QVGEN_LOOP_INPUTS / 4);
+  EXPECT_GT(compared, QVGEN_LOOP_INPUTS / 8);
 }
 
 TEST_P(Arms, PutTheSeedsRowFirstByWholeTurns) {
@@ -154,6 +154,7 @@ TEST_P(Arms, SayWhatCannotBeReached) {
 
 TEST_P(Arms, MotorsMoveTheTipAsTheJacobianSays) {
   const double step = 1e-5;
+  int compared = 0;
   for (int k = 0; k < QVGEN_LOOP_INPUTS; ++k) {
     const VectorXd q = sampled();
     VectorXd ad(mechanism_.driven);
@@ -167,13 +168,13 @@ TEST_P(Arms, MotorsMoveTheTipAsTheJacobianSays) {
     if (moved.size() == 0 || reference::gaps(reference_, moved).norm() > 1e-12) continue;
     const Set set = tip_.inverse_near(pose(moved), q);
     ASSERT_EQ(set.rows.size(), 1U);
-    if (reference::jacobian_of(reference_.chain, frame_, q).norm() > 0 &&
-        distance(set.rows.front().q, moved) > 1e-8)
-      continue;  // another row is as near, or the tip is nearly singular
+    if (distance(set.rows.front().q, moved) > 1e-8) continue;  // the tip is nearly singular
+    ++compared;
     const VectorXd twist = tip_.jacobian(q) * ad;
     const Eigen::Vector3d way = (pose(moved) - pose(q)).topRightCorner<3, 1>() / step;
     EXPECT_LT((twist.head<3>() - way).norm(), 1e-3 * (1 + qd.squaredNorm()));
   }
+  EXPECT_GT(compared, QVGEN_LOOP_INPUTS / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Loops, Arms, testing::ValuesIn(arms()),

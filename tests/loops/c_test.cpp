@@ -58,9 +58,6 @@ TEST(LoopsInC, AreThoseOfCxx) {
     expect_rows(arm::loop_forces(q, a, a, {}, {}, 9.8), c.loop_forces);
     expect_rows(arm::motor_forces_of_tool(q, q), c.held);
     expect_rows(arm::loop_forces_of_tool(q, q), c.loop_held);
-    const auto reached = arm::inverse_kinematics_of_tool(arm::pose_of_tool(q), q);
-    EXPECT_EQ(c.reached, reached.size());
-    expect_rows(reached[0].q, c.solved);
   }
   EXPECT_GT(solved, 20);
 }

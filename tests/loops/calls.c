@@ -29,7 +29,5 @@ int call_all(const double* a, struct Called* to) {
   delta_loop_forces(q, a, a, NULL, NULL, 9.8, to->loop_forces);
   delta_motor_forces_of_tool(q, q, NULL, to->held);
   delta_loop_forces_of_tool(q, q, NULL, to->loop_held);
-  if (delta_inverse_kinematics_of_tool_capacity < 1) return 0;
-  to->reached = delta_inverse_kinematics_of_tool(to->orientation, to->position, q, NULL, 1, &to->solved, NULL, NULL, &status);
   return delta_assemble_capacity;
 }

@@ -203,7 +203,7 @@ TEST_P(Motions, PowerInIsPowerOut) {
       return reference::kinetic_energy(reference_.chain, q, qd) +
              reference::potential_energy(reference_.chain, q);
     };
-    const double step = 1e-4;
+    const double step = 1e-4 / (1 + m.qd.norm());
     const double rate = (energy(step) - energy(-step)) / (2 * step);
     const double scale = std::abs(power) + lost + std::abs(energy(0)) + 1;
     EXPECT_NEAR(power, rate + lost, 2e-4 * scale * (1 + m.qd.norm()));

@@ -42,7 +42,11 @@ Closure closure_of(const toml::table& table, const Chain& chain, const Values& v
     for (std::size_t k = 0; k < 3; ++k)
       closure.points[i][static_cast<Eigen::Index>(k)] = value_of(*table["at"][i][k].node(), values);
   }
-  if (const toml::node* length = table.get("length")) closure.length = value_of(*length, values);
+  const toml::node* length = table.get("length");
+  const auto named = length == nullptr ? std::nullopt : length->value_exact<std::string>();
+  for (std::size_t i = 0; named && i < chain.joints.size(); ++i)
+    if (chain.joints[i].variable == *named) closure.length_joint = static_cast<Eigen::Index>(i);
+  if (length != nullptr && closure.length_joint < 0) closure.length = value_of(*length, values);
   return closure;
 }
 
@@ -141,8 +145,8 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
   for (const Closure& closure : mechanism.closures) {
     const Ends ends = ends_of(mechanism, closure, at);
     const Vector3d way = ends.at[0] - ends.at[1];
-    if (closure.length > 0)
-      result.push_back(way.norm() - closure.length);
+    if (closure.is_rod())
+      result.push_back(way.norm() - (closure.length_joint < 0 ? closure.length : q[closure.length_joint]));
     else
       result.insert(result.end(), {way.x(), way.y(), way.z()});
   }
@@ -166,8 +170,10 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
         by.col(static_cast<Eigen::Index>(i)) += (end == 0 ? 1 : -1) * rate;
       }
     }
-    if (closure.length > 0) {
-      result.row(row++) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
+    if (closure.is_rod()) {
+      result.row(row) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
+      if (closure.length_joint >= 0) result(row, closure.length_joint) -= 1;
+      ++row;
     } else {
       result.middleRows(row, 3) = by;
       row += 3;

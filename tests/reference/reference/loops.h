@@ -17,6 +17,8 @@ struct Closure {
   std::array<Eigen::Index, 2> links{-1, -1};  ///< joints that move them, -1: the base
   std::array<Vector3d, 2> points{};           ///< in the links' frames
   double length = 0;                          ///< of a rod; 0: the points are one
+  Eigen::Index length_joint = -1;             ///< slide whose value is the length of a rod, -1: none
+  [[nodiscard]] bool is_rod() const { return length > 0 || length_joint >= 0; }
 };
 
 struct LoopMechanism {
