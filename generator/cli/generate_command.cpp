@@ -89,11 +89,23 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
   return tasks;
 }
 
+/// A mechanism with loops is made anew with all of its limbs, which its functions call.
+void forget_parts_of_loops(const std::vector<Task>& tasks, std::set<std::string>& current) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].loops.empty()) continue;
+    const auto first = tasks.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = first + 1 + static_cast<std::ptrdiff_t>(tasks[i].tips.size());
+    if (std::all_of(first, end, [&](const Task& task) { return current.count(task.name) > 0; })) continue;
+    std::for_each(first, end, [&](const Task& task) { current.erase(task.name); });
+  }
+}
+
 std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   if (arguments.force) return tasks;
   std::vector<std::pair<std::string, std::string>> keys;
   for (const Task& task : tasks) keys.emplace_back(task.name, task.key);
-  const std::set<std::string> current = current_robots(arguments.output, keys);
+  std::set<std::string> current = current_robots(arguments.output, keys);
+  forget_parts_of_loops(tasks, current);
   std::vector<Task> changed;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(changed),
                [&](const Task& task) { return current.count(task.name) == 0; });
@@ -118,6 +130,13 @@ std::set<std::string> forgotten(const GenerateArguments& arguments, const std::v
   return names;
 }
 
+/// The outputs of a mechanism's limbs, which stand behind its own.
+std::vector<RobotOutput> limb_outputs(const Task& task, std::size_t place,
+                                      const std::vector<RobotOutput>& outputs) {
+  const auto first = outputs.begin() + static_cast<std::ptrdiff_t>(place) + 1;
+  return {first, first + static_cast<std::ptrdiff_t>(task.tips.size())};
+}
+
 FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
@@ -136,8 +155,8 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
     const bool in_cxx = arguments.language == Language::cxx;
     if (!changed[i].tips.empty() && in_cxx) add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
     if (!changed[i].loops.empty() && has_assembly)
-      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, arguments.language,
-                   names("c_assembly"), outputs[i]);
+      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops},
+                   limb_outputs(changed[i], i, outputs), arguments.language, names("c_assembly"), outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }

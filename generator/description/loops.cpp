@@ -108,8 +108,24 @@ void refuse_key(const Table& table, const std::string& key, const std::string& o
     table.context().error(table.key_place(key), "'" + key + "' belongs to " + of, "leave it out");
 }
 
-void read_length(const Table& table, model::Loop& loop) {
+/// True if the length of a rod is the value of a slide, by its variable; one of another joint is reported.
+bool reads_length_joint(const Table& table, const model::Robot& robot, model::Loop& loop) {
+  const toml::node* node = table.find("length");
+  const auto name = node == nullptr ? std::nullopt : node->value_exact<std::string>();
+  for (std::size_t i = 0; name && i < robot.joints.size(); ++i) {
+    if (robot.joints[i].variable != *name) continue;
+    loop.length_joint = i;
+    if (robot.joints[i].type != model::JointType::prismatic)
+      table.context().error(table.place_of("length"), "joint " + *name + " turns: it is no length",
+                            "name a prismatic joint, whose value is the length of the rod, or a number");
+    return true;
+  }
+  return false;
+}
+
+void read_length(const Table& table, const model::Robot& robot, model::Loop& loop) {
   if (loop.type != model::LoopType::rod) return refuse_key(table, "length", "a rod");
+  if (reads_length_joint(table, robot, loop)) return;
   table.require("length", "length = 0.4, between its two points");
   const Entry length = in_metres(table.context(), entry_or_zero(table, "length", {}));
   check_length(table.context(), length, "length");
@@ -131,7 +147,7 @@ model::Loop read_loop(const Table& table, const model::Robot& robot) {
   read_type(table, loop);
   read_links(table, robot, loop);
   read_points(table, loop);
-  read_length(table, loop);
+  read_length(table, robot, loop);
   read_loop_axis(table, loop);
   return loop;
 }

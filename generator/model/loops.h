@@ -24,6 +24,7 @@ struct Loop {
   std::array<Vector3, 2> points{};   ///< in the links' frames, m
   std::optional<Vector3> axis = {};  ///< of a pin, unit vector in the first link's frame; none: the joints'
   Expression length = {};            ///< of a rod, m
+  std::optional<std::size_t> length_joint = {};  ///< slide whose value is the length of a rod
 };
 
 /// All closures of a mechanism, with the joints that are driven.

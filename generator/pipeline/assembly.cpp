@@ -23,6 +23,7 @@
 #include "exact/named_constant.h"
 #include "model/private_names.h"
 #include "pipeline/limbs.h"
+#include "pipeline/loop_variants.h"
 #include "verify/loops/certify_loops.h"
 #include "verify/loops/mobility.h"
 
@@ -160,6 +161,18 @@ std::string text_of_order(const model::Robot& described, const AssemblyPlan& ass
   return "";
 }
 
+/// Given slides whose values are lengths of rods, so not below zero.
+json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
+  json list = json::array();
+  for (const std::size_t joint : given) {
+    const auto& closures = mechanism.loops.closures;
+    if (std::any_of(closures.begin(), closures.end(),
+                    [&](const model::Loop& loop) { return loop.length_joint == joint; }))
+      list.push_back({{"joint", joint}});
+  }
+  return list;
+}
+
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
   const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
   const verify::LoopCertificate certificate =
@@ -171,23 +184,23 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   json given_values = json::array();
   for (const std::size_t joint : assembly.given)
     for (const json& value : values_of_joint(robot, joint, false)) given_values.push_back(value);
-  const std::string type = forward ? "Assembled" : "AssembledFromOutputs";
   return {{"function", variant.function},
-          {"type", type},
-          {"space", forward ? "assembly" : "assembly_from_outputs"},
+          {"type", variant.type},
+          {"space", variant.space},
           {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) +
                       "; at most " + std::to_string(assembly.plan.capacity) + "." +
                       text_of_order(mechanism.robot, assembly)},
           {"summary", emit::lines_of(step_lines(mechanism.robot, assembly.plan))},
           {"certificate", certificate.text()},
           {"capacity", assembly.plan.capacity},
-          {"argument", forward ? "a" : "outputs"},
+          {"argument", variant.argument},
           {"argument_type", forward ? std::string("Driven")
                                     : fmt::format("Eigen::Matrix<double, {}, 1>", variant.given.size())},
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
           {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
           {"given_values", given_values},
+          {"lengths", lengths_in(mechanism, assembly.given)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},
@@ -214,16 +227,31 @@ bool has_file(const RobotOutput& output, const std::string& path) {
                      [&](const OutputFile& file) { return file.path == path; });
 }
 
-/// The tips with the constants of their limbs.
-json tips_of(const model::Mechanism& mechanism) {
+/// The tips with the constants of their limbs, and how each is solved for its pose.
+json tips_of(const model::Mechanism& mechanism, const std::vector<LimbInverse>& inverses) {
   json tips = json::array();
   const std::vector<model::Robot> limbs = limbs_of(mechanism);
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     json fields = json::array();
     for (const model::Parameter& parameter : limbs[i].geometry) fields.push_back({{"field", parameter.name}});
-    tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}});
+    tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}, {"inverse", false}});
+    if (i >= inverses.size() || inverses[i].function.empty()) continue;
+    tips.back()["inverse"] = {{"function", inverses[i].function}, {"type", inverses[i].type}};
   }
   return tips;
+}
+
+/// How each tip is solved for its pose; what is missing is noted.
+std::vector<LimbInverse> inverses_of(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs,
+                                     const std::vector<PlannedVariant>& plans, RobotOutput& output) {
+  std::vector<LimbInverse> list;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    list.push_back(limb_inverse(mechanism, i, limbs[i], plans));
+    if (!list.back().lack.empty())
+      output.missing.push_back(
+          {"inverse_kinematics_of_" + mechanism.tips[i].name, Missing::Kind::not_derived, list.back().lack});
+  }
+  return list;
 }
 
 void add_platform(const model::Loops& loops, std::size_t joints, json& values) {
@@ -236,23 +264,21 @@ void add_platform(const model::Loops& loops, std::size_t joints, json& values) {
   values["others"] = commas(others);
 }
 
-/// A way through the loops with its plan.
-struct Planned {
-  LoopVariant variant;
-  AssemblyPlan assembly;
-};
-
-std::vector<Planned> plans_of(const model::Mechanism& mechanism) {
-  std::vector<Planned> plans;
+/// Plans of all ways; those of limbs are there if they are found.
+std::vector<PlannedVariant> plans_of(const model::Mechanism& mechanism, bool has_limbs) {
+  std::vector<PlannedVariant> plans;
   for (const LoopVariant& variant : loop_variants(mechanism.loops))
+    plans.push_back({variant, derive::loops::assembly_plan(mechanism, variant.given)});
+  if (!has_limbs) return plans;
+  for (const LoopVariant& variant : limb_variants(mechanism))
     plans.push_back({variant, derive::loops::assembly_plan(mechanism, variant.given)});
   return plans;
 }
 
 /// The first plan that there is. Its equations, as many as there are passive joints, serve rates and
 /// dynamics.
-const AssemblyPlan& first_found(const std::vector<Planned>& plans) {
-  for (const Planned& each : plans)
+const AssemblyPlan& first_found(const std::vector<PlannedVariant>& plans) {
+  for (const PlannedVariant& each : plans)
     if (each.assembly.found) return each.assembly;
   throw std::domain_error(joined(plans.front().assembly.reasons));
 }
@@ -271,14 +297,15 @@ std::string closed_gap(const model::Mechanism& mechanism) {
   return fmt::format("{:.1e}", 1e-13 * std::max(numbers.size(), 1e-3));
 }
 
-void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>& plans, RobotOutput& output,
-                  json& values) {
+void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
+                  RobotOutput& output, json& values) {
   values["variants"] = json::array();
-  for (const Planned& each : plans) {
+  for (const PlannedVariant& each : plans) {
     if (each.assembly.found) {
       values["variants"].push_back(variant_of(mechanism, each.variant, each.assembly));
       continue;
     }
+    if (each.variant.of_limb) continue;  // missed by the limb's inverse kinematics alone
     const std::string reason = joined(each.assembly.reasons);
     output.missing.push_back({each.variant.function, Missing::Kind::not_derived, reason});
     if (each.variant.function == "assemble") values["missing"] = {{"reason", reason}};
@@ -288,13 +315,14 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>&
 /// Other output of the robot, and whether a header for C is wanted.
 struct Surroundings {
   bool has_dynamics, has_limbs, with_c;
+  const std::vector<RobotOutput>& limbs;
 };
 
 void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
   const std::string& name = mechanism.robot.name;
   const model::Loops& loops = mechanism.loops;
   check_number_of_motors(mechanism);
-  const std::vector<Planned> plans = plans_of(mechanism);
+  const std::vector<PlannedVariant> plans = plans_of(mechanism, has.has_limbs);
   const std::vector<std::size_t> passive = passive_joints(mechanism);
   json values{{"name", name},
               {"dof", mechanism.robot.joints.size()},
@@ -305,7 +333,7 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
               {"passive", commas(passive)},
               {"has_dynamics", has.has_dynamics},
               {"has_limbs", has.has_limbs},
-              {"tips", tips_of(mechanism)},
+              {"tips", tips_of(mechanism, inverses_of(mechanism, has.limbs, plans, output))},
               {"enough", closed_gap(mechanism)},
               {"missing", false}};
   add_constraints(first_found(plans), values);
@@ -320,12 +348,6 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
 }
 
 }  // namespace
-
-std::vector<LoopVariant> loop_variants(const model::Loops& loops) {
-  std::vector<LoopVariant> variants{{"assemble", loops.actuated}};
-  if (!loops.outputs.empty()) variants.push_back({"assemble_from_outputs", loops.outputs});
-  return variants;
-}
 
 std::vector<std::string> step_lines(const model::Robot& described, const derive::inverse::Plan& plan) {
   std::vector<std::string> lines;
@@ -354,10 +376,11 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   return "";
 }
 
-void add_assembly(const model::Mechanism& mechanism, Language language, bool with_c, RobotOutput& output) {
+void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
+                  bool with_c, RobotOutput& output) {
   const std::string headers = "include/qvgen/robots/" + mechanism.robot.name + "/";
   const Surroundings has{has_file(output, headers + "dynamics.h"), has_file(output, headers + "limbs.h"),
-                         with_c};
+                         with_c, limbs};
   const auto generate = [&](RobotOutput& made) { generate_assembly(mechanism, has, made); };
   if (const std::string lack = lack_of(row_of(language), "assembly"); !lack.empty())
     output.missing.push_back({"assembly", Missing::Kind::not_in_language, lack});

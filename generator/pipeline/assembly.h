@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The header of a mechanism with closed loops: assemblies for given joints, rates, Jacobians, dynamics by
-// embedding.
+// embedding, and the inverse kinematics of arms and legs that have loops.
 #pragma once
 
 #include <string>
@@ -12,14 +12,6 @@
 
 namespace qvgen::pipeline {
 
-/// A way through the loops: from which joints, under which name.
-struct LoopVariant {
-  std::string function;
-  std::vector<std::size_t> given;
-};
-/// From the driven joints; and from those of a platform, if there is one.
-std::vector<LoopVariant> loop_variants(const model::Loops& loops);
-
 /// Each unknown of a plan with its equation, a line a step.
 std::vector<std::string> step_lines(const model::Robot& described, const derive::inverse::Plan& plan);
 
@@ -27,8 +19,9 @@ std::vector<std::string> step_lines(const model::Robot& described, const derive:
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
 /// Adds `assembly.h` and its source to the output of a robot with loops, or what is missing of it. The
-/// functions of dynamics and of tips are there if the output has what they call. `with_c`: a header for C,
-/// too.
-void add_assembly(const model::Mechanism& mechanism, Language language, bool with_c, RobotOutput& output);
+/// functions of dynamics and of tips are there if the output has what they call, the inverse kinematics of
+/// tips if their `limbs` have theirs. `with_c`: a header for C, too.
+void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
+                  bool with_c, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "pipeline/assembly.h"
+#include "pipeline/loop_variants.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
@@ -16,9 +17,12 @@ std::string names_of(const model::Mechanism& mechanism, const std::vector<std::s
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, bool steps, LoopLines& to) {
+/// `only_found`: a plan that is not found is not mentioned.
+void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, bool steps, bool only_found,
+              LoopLines& to) {
   const derive::loops::AssemblyPlan assembly = derive::loops::assembly_plan(mechanism, variant.given);
   const std::string from = names_of(mechanism, variant.given);
+  if (!assembly.found && only_found) return;
   if (!assembly.found) {
     to.lines.push_back(
         fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
@@ -44,7 +48,9 @@ LoopLines loop_lines(const model::Mechanism& mechanism, bool steps) {
   if (const std::string problem = problem_of_motors(mechanism, mobility.free); !problem.empty())
     result.problems.push_back(problem);
   for (const LoopVariant& variant : loop_variants(mechanism.loops))
-    add_plan(mechanism, variant, steps, result);
+    add_plan(mechanism, variant, steps, false, result);
+  for (const LoopVariant& variant : limb_variants(mechanism))
+    add_plan(mechanism, variant, steps, true, result);
   return result;
 }
 

@@ -55,6 +55,9 @@ TEST(LoopsInC, AreThoseOfCxx) {
     expect_rows(arm::driven_inverse_dynamics(q, a, a, {}, {}, 9.8), c.forces);
     expect_rows(arm::driven_forward_dynamics(q, a, Eigen::Map<arm::Driven>(c.forces), {}, {}, 9.8), c.moved);
     expect_rows(arm::driven_mass_matrix(q), c.masses[0]);
+    expect_rows(arm::loop_forces(q, a, a, {}, {}, 9.8), c.loop_forces);
+    expect_rows(arm::motor_forces_of_tool(q, q), c.held);
+    expect_rows(arm::loop_forces_of_tool(q, q), c.loop_held);
   }
   EXPECT_GT(solved, 20);
 }

@@ -26,5 +26,8 @@ int call_all(const double* a, struct Called* to) {
   delta_driven_inverse_dynamics(q, a, a, NULL, NULL, 9.8, to->forces);
   delta_driven_forward_dynamics(q, a, to->forces, NULL, NULL, 9.8, to->moved);
   delta_driven_mass_matrix(q, NULL, NULL, to->masses);
+  delta_loop_forces(q, a, a, NULL, NULL, 9.8, to->loop_forces);
+  delta_motor_forces_of_tool(q, q, NULL, to->held);
+  delta_loop_forces_of_tool(q, q, NULL, to->loop_held);
   return delta_assemble_capacity;
 }

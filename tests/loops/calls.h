@@ -9,6 +9,7 @@ struct Called {
   int branches[2], meets[2];
   double gaps[3], rates[6][3], accelerations[6], drive, platform, platform_rates[3][3];
   double orientation[4], position[3], jacobian[6][3], forces[3], moved[3], masses[3][3];
+  double loop_forces[3], held[3], loop_held[3];
 };
 
 #ifdef __cplusplus

@@ -66,6 +66,7 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("ankle")).free, 2);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("planar_3rpr")).free, 3);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/hexapod")).free, 6);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/stewart")).free, 6);
 }
 
 TEST(Mobility, SaysHowManyAreFreeAndDriven) {

@@ -55,6 +55,11 @@ TEST(LoopDescription, RefusesPointsThatAreNone) {
               HasSubstr("'at' is no list of 2 entries"));
 }
 
+TEST(LoopDescription, RefusesATurnAsALength) {
+  EXPECT_THAT(first_error(two_links + rod("[\"a\", \"b\"]", "[[1, 0, 0], [1, 0, 0]]", "\"a\"") + tip),
+              HasSubstr("joint a turns: it is no length"));
+}
+
 TEST(LoopDescription, RefusesRodsWithoutLength) {
   EXPECT_THAT(first_error(two_links + rod("[\"a\", \"b\"]", "[[1, 0, 0], [1, 0, 0]]", "0") + tip),
               HasSubstr("the length of a rod is not above 0"));

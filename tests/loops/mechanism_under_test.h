@@ -30,6 +30,12 @@ struct Tip {
   std::string name;
   std::function<Eigen::Matrix4d(const VectorXd& q)> pose;
   std::function<MatrixXd(const VectorXd& q)> jacobian;
+  std::function<VectorXd(const VectorXd&q, const VectorXd&wrench)> motor_forces = {}, loop_forces = {};
+  // Inverse kinematics, from a pose as a matrix; empty where it is not generated.
+  std::function<Set(const Eigen::Matrix4d& pose)> inverse = {};
+  std::function<Set(const Eigen::Matrix4d&pose, const VectorXd&seed)> inverse_next_to = {}, inverse_near = {};
+  std::function<Set(const Eigen::Matrix4d& pose)> within_limits = {};
+  int capacity = 0;
 };
 
 struct MechanismUnderTest {
@@ -42,13 +48,15 @@ struct MechanismUnderTest {
   std::function<Set(const VectorXd& outputs)> from_outputs;  ///< empty without a platform
   std::function<VectorXd(const VectorXd& a, const VectorXd& seed)>
       follow;  ///< gives nothing where it does not close
+  std::function<bool(const VectorXd& a, const VectorXd& seed)> crosses;
   std::function<VectorXd(const VectorXd& q)> gaps;
   std::function<MatrixXd(const VectorXd& q)> rates;
   std::function<VectorXd(const VectorXd& q, const VectorXd& qd, const VectorXd& add)> accelerations;
   std::function<double(const VectorXd&q)> drive_measure, platform_measure;
   std::function<VectorXd(const VectorXd& q, const VectorXd& ad, const VectorXd& add)> inverse_dynamics;
   std::function<VectorXd(const VectorXd& q, const VectorXd& ad, const VectorXd& forces)> forward_dynamics;
-  std::function<MatrixXd(const VectorXd& q)> mass_matrix;
+  std::function<MatrixXd(const VectorXd&q)> mass_matrix, loop_jacobian;
+  std::function<VectorXd(const VectorXd& q, const VectorXd& ad, const VectorXd& add)> loop_forces;
   std::vector<Tip> tips;
 };
 

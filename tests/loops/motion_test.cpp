@@ -8,6 +8,7 @@
 
 #include "mechanism_under_test.h"
 #include "reference/dynamics.h"
+#include "reference/linear_algebra.h"
 #include "reference/loops.h"
 
 namespace qvgen::test::loops {
@@ -137,6 +138,58 @@ TEST_P(Motions, MotorsMoveTheMechanismAsMultipliersSay) {
   }
 }
 
+TEST_P(Motions, FollowingSaysWhetherADeadCentreWasCrossed) {
+  for (const Motion& m : motions_of(motions)) {
+    EXPECT_FALSE(mechanism_.crosses(m.a, m.q + 1e-4 * m.qd / (1 + m.qd.norm())));
+    // Another assembly for the same motors, on the other side: straight ways between them meet a dead centre.
+    const Set set = mechanism_.assemble(m.a);
+    const auto side = [&](const VectorXd& q) {
+      const MatrixXd by = mechanism_.loop_jacobian(q);
+      MatrixXd passive(by.rows(), by.rows());
+      for (Eigen::Index i = 0; i < by.rows(); ++i)
+        passive.col(i) = by.col(mechanism_.passive_joints[static_cast<std::size_t>(i)]);
+      return reference::determinant(passive) > 0;
+    };
+    for (const Row& row : set.rows)
+      for (const Row& other : set.rows) {
+        const VectorXd seed = row.q + 0.4 * (other.q - row.q);
+        const VectorXd end = mechanism_.follow(m.a, seed);
+        if (end.size() == 0 || (end - seed).norm() < 1e-3) continue;
+        EXPECT_EQ(mechanism_.crosses(m.a, seed), side(seed) != side(end));
+      }
+  }
+}
+
+TEST_P(Motions, LoopsAndMotorsTogetherMoveTheOpenTree) {
+  for (const Motion& m : motions_of(motions)) {
+    const VectorXd qdd = mechanism_.accelerations(m.q, m.qd, m.add);
+    const VectorXd motors = mechanism_.inverse_dynamics(m.q, m.ad, m.add);
+    VectorXd given = mechanism_.loop_jacobian(m.q).transpose() * mechanism_.loop_forces(m.q, m.ad, m.add);
+    for (int i = 0; i < mechanism_.driven; ++i)
+      given[mechanism_.driven_joints[static_cast<std::size_t>(i)]] += motors[i];
+    const VectorXd expected = reference::inverse_dynamics(reference_.chain, m.q, m.qd, qdd);
+    EXPECT_LT((given - expected).norm(), 1e-9 * (1 + expected.norm()) * (1 + given.norm()));
+  }
+}
+
+TEST_P(Motions, MotorsAndLoopsHoldAWrenchOnTheTip) {
+  for (const Motion& m : motions_of(motions)) {
+    for (const Tip& tip : mechanism_.tips) {
+      for (const reference::NamedFrame& frame : reference_.chain.frames) {
+        if (frame.name != tip.name) continue;
+        VectorXd wrench(6);
+        for (double& x : wrench) x = std::uniform_real_distribution<double>(-5, 5)(random_);
+        VectorXd sum = mechanism_.loop_jacobian(m.q).transpose() * tip.loop_forces(m.q, wrench) +
+                       reference::jacobian_of(reference_.chain, frame, m.q).transpose() * wrench;
+        const VectorXd motors = tip.motor_forces(m.q, wrench);
+        for (int i = 0; i < mechanism_.driven; ++i)
+          sum[mechanism_.driven_joints[static_cast<std::size_t>(i)]] += motors[i];
+        EXPECT_LT(sum.norm(), 1e-10 * (1 + motors.norm()) * (1 + wrench.norm()));
+      }
+    }
+  }
+}
+
 TEST_P(Motions, PowerInIsPowerOut) {
   for (const Motion& m : motions_of(motions)) {
     const double power = m.ad.dot(mechanism_.inverse_dynamics(m.q, m.ad, m.add));
@@ -150,7 +203,7 @@ TEST_P(Motions, PowerInIsPowerOut) {
       return reference::kinetic_energy(reference_.chain, q, qd) +
              reference::potential_energy(reference_.chain, q);
     };
-    const double step = 1e-4;
+    const double step = 1e-4 / (1 + m.qd.norm());
     const double rate = (energy(step) - energy(-step)) / (2 * step);
     const double scale = std::abs(power) + lost + std::abs(energy(0)) + 1;
     EXPECT_NEAR(power, rate + lost, 2e-4 * scale * (1 + m.qd.norm()));

@@ -139,3 +139,20 @@ def test_platforms_both_ways():
     ahead = delta.follow(q[:, delta.driven_joints] + [STEP, 0, 0], q).q
     np.testing.assert_allclose(delta.platform_rates(q)[:, :, 0], (ahead - q)[:, delta.output_joints] / STEP, atol=1e-4)
     assert (delta.platform_measure(q) > 0).all()
+
+
+def test_legs_with_rods_reach_poses():
+    if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    leg = qvgen.load(ROBOTS / "leg.toml", "--only", "dynamics,kinematics,jacobian,inverse,assembly")
+    chain = np.random.default_rng(1).uniform(0.05, 0.5, (20, 6)) * [1, 1, -1, 1, -1, 0.2]
+    q = leg.assemble_from_joints_of_foot(chain)
+    q = q.q[q.count > 0, 0]
+    assert len(q) > 10
+    found = leg.inverse_kinematics_of_foot(leg.pose_of_foot(q), q)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    one = leg.inverse_kinematics_of_foot(leg.pose_of_foot(q[0]))
+    assert one.count == found.count[0] and one.q.shape == found.q.shape[1:]
+    wrench = np.array([1.0, 2, 3, 4, 5, 6])
+    np.testing.assert_allclose(leg.motor_forces_of_foot(q[0], wrench), -leg.jacobian_of_foot(q[0]).T @ wrench, atol=1e-12)
+    assert np.isfinite(leg.loop_forces(q[0], np.ones(6), np.ones(6))).all()

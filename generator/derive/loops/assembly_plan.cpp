@@ -52,7 +52,7 @@ ex size_square(const AssemblyPlan& assembly) {
   for (const model::Joint& joint : assembly.robot.joints)
     sum += square_of(joint.before) + square_of(joint.after);
   for (const Cycle& cycle : assembly.cycles) {
-    sum += cycle.length * cycle.length;
+    if (!cycle.length_joint) sum += cycle.length * cycle.length;
     for (const Side& side : cycle.sides) sum += dot(side.point, side.point);
   }
   for (const std::size_t joint : assembly.given) {
@@ -143,6 +143,7 @@ class Search {
 
   /// An open closure as a distance, if it is one.
   [[nodiscard]] std::optional<Solver::Span> span_of(std::size_t i) const {
+    if (!solver_.knows_length(cycle(i))) return std::nullopt;
     if (cycle(i).type == model::LoopType::rod) return Solver::Span{&cycle(i), {}};
     if (!cycle(i).normal || !gap_along_normal(i).empty()) return std::nullopt;
     for (const std::size_t joint : solver_.unknown(cycle(i)))
@@ -201,7 +202,8 @@ class Search {
   bool platform() {
     std::vector<std::size_t> group;
     for (const std::size_t i : open_) {
-      if (cycle(i).type != model::LoopType::rod || unknowns(i) != 3) continue;
+      if (cycle(i).type != model::LoopType::rod || unknowns(i) != 3 || !solver_.knows_length(cycle(i)))
+        continue;
       if (group.empty() || solver_.unknown(cycle(i)) == solver_.unknown(cycle(group.front())))
         group.push_back(i);
       if (group.size() == 3) break;

@@ -72,7 +72,8 @@ std::optional<Vector> normal_of(const model::Robot& robot, const Cycle& cycle, c
   return normal;
 }
 
-Cycle cycle_of(const model::Mechanism& mechanism, std::size_t index, const PrivateNames& names) {
+Cycle cycle_of(const model::Mechanism& mechanism, const model::Robot& robot, std::size_t index,
+               const PrivateNames& names) {
   const model::Loop& loop = mechanism.loops.closures[index];
   Cycle cycle;
   cycle.number = index + 1;
@@ -85,6 +86,8 @@ Cycle cycle_of(const model::Mechanism& mechanism, std::size_t index, const Priva
   cycle.sides[0] = {first, names.of(loop.points[0])};
   cycle.sides[1] = {second, names.of(loop.points[1])};
   cycle.length = names.of(loop.length);
+  cycle.length_joint = loop.length_joint;
+  if (loop.length_joint) cycle.length = symbolic::symbol(robot.joints[*loop.length_joint].variable);
   return cycle;
 }
 
@@ -114,6 +117,7 @@ void check_axis(const model::Loop& loop, const model::Robot& robot, const Cycle&
 std::vector<std::size_t> Cycle::joints() const {
   std::vector<std::size_t> all = sides[0].joints;
   all.insert(all.end(), sides[1].joints.begin(), sides[1].joints.end());
+  if (length_joint) all.push_back(*length_joint);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -123,7 +127,7 @@ std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Rob
   const PrivateNames names(mechanism.robot);
   std::vector<Cycle> cycles;
   for (std::size_t i = 0; i < mechanism.loops.closures.size(); ++i) {
-    cycles.push_back(cycle_of(mechanism, i, names));
+    cycles.push_back(cycle_of(mechanism, robot, i, names));
     cycles.back().normal = normal_of(robot, cycles.back(), scope);
     check_axis(mechanism.loops.closures[i], robot, cycles.back(), scope);
   }

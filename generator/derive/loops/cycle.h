@@ -25,12 +25,13 @@ struct Cycle {
   std::size_t number = 0;  ///< in the order of the file, from 1
   model::LoopType type = model::LoopType::pin;
   std::array<Side, 2> sides;
-  GiNaC::ex length = 0;  ///< of a rod
+  GiNaC::ex length = 0;                          ///< of a rod
+  std::optional<std::size_t> length_joint = {};  ///< slide whose value the length is
   /// Unit vector that all axes of the loop are parallel to and all slides at right angles to, in the frame of
   /// the common link; nothing if the loop moves in space.
   std::optional<symbolic::Vector> normal = {};
 
-  /// Joints of both sides, sorted.
+  /// Joints of both sides and that of the length, sorted.
   [[nodiscard]] std::vector<std::size_t> joints() const;
 };
 

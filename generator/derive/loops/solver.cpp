@@ -99,7 +99,22 @@ void Solver::pair(const Place& at, const std::string& equation) {
   know(at.joint);
 }
 
+bool Solver::knows_length(const Cycle& cycle) const {
+  return !cycle.length_joint || known_.count(*cycle.length_joint) > 0;
+}
+
+void Solver::stretch(const Cycle& cycle) {
+  const Vector way = kept(carrier().end(cycle.sides[0], -1) - carrier().end(cycle.sides[1], -1));
+  builder_.slide_by_value(screw_of(*cycle.length_joint), GiNaC::sqrt(dot(way, way)),
+                          loop_name(cycle) + ": the distance of its points");
+  know(*cycle.length_joint);
+}
+
 std::string Solver::rod(const Cycle& cycle) {
+  if (!knows_length(cycle)) {
+    stretch(cycle);
+    return "";
+  }
   const Place at = place_of(cycle, unknown(cycle).front());
   if (!turns(at.joint)) return slide_by_rod(cycle, at);
   const Screw screw = screw_of(at.joint);

@@ -27,7 +27,10 @@ class Solver {
 
   // Each returns an empty text if it has appended its steps, or why the equation does not serve.
 
-  /// Distance of two points, for the one unknown joint.
+  /// True if the length of a rod is a number or the value of a known slide.
+  [[nodiscard]] bool knows_length(const Cycle& cycle) const;
+
+  /// Distance of two points, for the one unknown joint, which may be the rod's length.
   std::string rod(const Cycle& cycle);
   /// A common point of links that move in one plane, for two unknown joints.
   std::string meeting(const Cycle& cycle);
@@ -85,6 +88,7 @@ class Solver {
   /// Returns nothing if the joints do not make a platform in a plane.
   std::optional<Leg> leg_of(const Span& span, const PlatformJoints& joints);
 
+  void stretch(const Cycle& cycle);
   std::string slide_by_rod(const Cycle& cycle, const Place& at);
   std::string two_turns(const Cycle& cycle, Place u, Place v);
   std::string turn_and_slide(const Cycle& cycle, const Place& turn, const Place& slide);

@@ -116,6 +116,8 @@ LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
   for (const auto& cycle : cycles) {
     const bool is_rod = cycle.type == model::LoopType::rod;
     loop_of_row_.insert(loop_of_row_.end(), is_rod ? 1 : cycle.normal ? 2 : 3, cycle.number - 1);
+    stretches_.resize(loop_of_row_.size(), cycle.length_joint.has_value());
+    if (cycle.length_joint) lengths_.push_back(*cycle.length_joint);
   }
   size_ = 1e-3;
   std::mt19937 random(1);
@@ -124,7 +126,11 @@ LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (robot_.joints[static_cast<std::size_t>(i)].type == model::JointType::revolute)
         q[i] = static_cast<double>(random() % 6283) / 1000;
-    size_ = std::max(size_, gaps(q).cwiseAbs().maxCoeff());
+    for (const std::size_t length : lengths_) q[static_cast<Eigen::Index>(length)] = 1;
+    const VectorXd gap = gaps(q);
+    for (Eigen::Index row = 0; row < gap.size(); ++row)
+      size_ = std::max(size_, stretches_[static_cast<std::size_t>(row)] ? std::sqrt(1 + 2 * gap[row])
+                                                                        : std::abs(gap[row]));
   }
 }
 
@@ -163,7 +169,7 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
   for (int step = 0; step < most_steps; ++step) {
     const VectorXd off = gaps(q);
     if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
-    if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return q;
+    if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return with_lengths_above_zero(q);
     // Damped by the gap: where redundant equations agree on a whole path, they shall not draw along it to its
     // end.
     const MatrixXd by = jacobian(q);
@@ -174,7 +180,14 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
     if (longest > 0.5) way *= 0.5 / longest;
     q -= way;
   }
-  return gaps(q).cwiseAbs().maxCoeff() < 1e-11 * size_ ? std::optional(q) : std::nullopt;
+  if (gaps(q).cwiseAbs().maxCoeff() < 1e-11 * size_) return with_lengths_above_zero(q);
+  return std::nullopt;
+}
+
+VectorXd LoopNumbers::with_lengths_above_zero(VectorXd q) const {
+  for (const std::size_t length : lengths_)
+    q[static_cast<Eigen::Index>(length)] = std::abs(q[static_cast<Eigen::Index>(length)]);
+  return q;
 }
 
 std::optional<VectorXd> LoopNumbers::assembled(unsigned seed) const {

@@ -34,11 +34,15 @@ class LoopNumbers {
 
  private:
   [[nodiscard]] std::optional<Eigen::VectorXd> closed_from(Eigen::VectorXd q) const;
+  /// A rod's equation has the square of its length.
+  [[nodiscard]] Eigen::VectorXd with_lengths_above_zero(Eigen::VectorXd q) const;
 
   model::Robot robot_;
   model::Bindings geometry_;
   dag::Function gap_, jacobian_;
   std::vector<std::size_t> loop_of_row_;
+  std::vector<std::size_t> lengths_;  ///< slides whose values are lengths of rods
+  std::vector<bool> stretches_;       ///< for each row: it is the gap of such a rod
   double size_ = 1;
 };
 

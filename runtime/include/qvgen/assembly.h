@@ -67,7 +67,7 @@ void put_near(Assemblies<dof, capacity>& found, const Joints<dof>& seed, const s
   for (Solution<dof>& row : found)
     for (int i = 0; i < dof; ++i)
       if (revolute[static_cast<std::size_t>(i)] && !given[static_cast<std::size_t>(i)])
-        row.q[i] = seed[i] + turn_between(seed[i], row.q[i]);
+        row.q[i] = seed[i] + qvgen::turn_between(seed[i], row.q[i]);
   sort_by_distance(static_cast<Solutions<dof, capacity>&>(found), seed, revolute);
 }
 
@@ -113,6 +113,20 @@ Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
   return result;
 }
 
+/// Forces that the loops carry, one an equation, N: a rod's pushes its ends apart, a pin's is along the
+/// directions of its gap and acts on the first link. `forces` are those that all joints would need if the
+/// loops were open, rad or m; the passive ones have no motors, so the loops bear theirs. Not finite at dead
+/// centres.
+template <int rows, int dof, std::size_t passive_count>
+Eigen::Matrix<double, rows, 1> loop_forces(const Eigen::Matrix<double, rows, dof>& jacobian,
+                                           const std::array<int, passive_count>& passive,
+                                           const Joints<dof>& forces) {
+  const Eigen::PartialPivLU<Eigen::Matrix<double, rows, rows>> factors(columns_of(jacobian, passive));
+  Eigen::Matrix<double, rows, 1> borne;
+  for (std::size_t i = 0; i < passive_count; ++i) borne[static_cast<int>(i)] = forces[passive[i]];
+  return factors.transpose().solve(borne);
+}
+
 /// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
 /// can move although the others stand still. The determinant by these joints, divided by the lengths of its
 /// rows; one that is but rounding next to the others counts as longer than it is.
@@ -130,6 +144,11 @@ template <int dof>
 struct Followed {
   Joints<dof> q;
   bool closed = false;  ///< false: Newton's steps have not closed the loops; q is where they have ended
+  /// True if a dead centre lies between the seed and q: the determinant that is zero there has changed its
+  /// sign. q is then on another branch than the seed was.
+  bool crossed = false;
+  int steps = 0;   ///< of Newton
+  double gap = 0;  ///< the widest gap that is left at q, m
 };
 
 /// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
@@ -140,18 +159,25 @@ template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
 Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& passive, const Gaps& gaps,
                            const Jacobian& jacobian, double enough) {
   constexpr int rows = static_cast<int>(passive_count);
-  for (int step = 0; step < 30; ++step) {
-    const auto gap = gaps(q);
-    if (!gap.allFinite()) return {q, false};
-    if (gap.cwiseAbs().maxCoeff() <= enough) return {q, true};
-    const Eigen::Matrix<double, rows, rows> by = columns_of(jacobian(q), passive);
-    Eigen::Matrix<double, rows, 1> way = by.partialPivLu().solve(gap.template head<rows>());
+  Followed<dof> found;
+  found.q = q;
+  double side = 0;
+  for (;; ++found.steps) {
+    const auto gap = gaps(found.q);
+    found.gap = gap.cwiseAbs().maxCoeff();
+    found.closed = gap.allFinite() && found.gap <= enough;
+    if (found.closed || found.steps == 30 || !gap.allFinite()) return found;
+    const Eigen::PartialPivLU<Eigen::Matrix<double, rows, rows>> factors(
+        columns_of(jacobian(found.q), passive));
+    const double determinant = factors.determinant();
+    if (found.steps == 0) side = determinant;
+    found.crossed = (determinant < 0) != (side < 0);
+    Eigen::Matrix<double, rows, 1> way = factors.solve(gap.template head<rows>());
     const double longest = way.cwiseAbs().maxCoeff();
-    if (!(longest < 1e300)) return {q, false};
+    if (!(longest < 1e300)) return found;
     if (longest > 0.5) way *= 0.5 / longest;
-    for (std::size_t i = 0; i < passive_count; ++i) q[passive[i]] -= way[static_cast<int>(i)];
+    for (std::size_t i = 0; i < passive_count; ++i) found.q[passive[i]] -= way[static_cast<int>(i)];
   }
-  return {q, gaps(q).cwiseAbs().maxCoeff() <= enough};
 }
 
 }  // namespace qvgen

@@ -78,8 +78,8 @@ class Robot:
         generated = self.sources.cxx()
         given = {name: self.given_count(name) for name in self.cxx_targets}
         rows = cxx_rows(self.name, self.cxx_targets, given, self.cxx_parts)
-        rows += loop_rows(self.name, self.loops.functions) if self.loops else ""
-        tips = [f"{self.name}_{tip}" for tip in self.loops.tips] if self.loops else []
+        rows += loop_rows(self.name, self.loops) if self.loops else ""
+        tips = self.loops.tips_with_parts(self.name) if self.loops else {}
         return cxx_library(self.name, generated, rows, generated == GENERATED, tips)
 
     def function(self, symbol, dtype):

@@ -147,14 +147,15 @@ def _runtime_sources():
     return sources if _has_avx2_forms else [each for each in sources if each.name not in ("sine_cosine_avx2.cpp", "within_avx2.cpp")]
 
 
-def cxx_library(robot, generated, rows, is_own, tips=()):
+def cxx_library(robot, generated, rows, is_own, tips=None):
     """Path of the library of a robot's C++ and of the text of its loops over rows.
 
-    `is_own`: one of this source tree's robots. `tips`: limbs whose kinematics its closed loops call.
+    `is_own`: one of this source tree's robots. `tips`: limbs that its closed loops call, with the parts of each.
     """
     command = compiler("CXX", "c++")
     own = sorted((generated / "source" / robot).glob("*.cpp"))
-    own += [generated / "source" / tip / f"{part}.cpp" for tip in tips for part in ("jacobian", "kinematics")]
+    limbs = [generated / "source" / tip / f"{part}.cpp" for tip, parts in (tips or {}).items() for part in parts]
+    own += [source for source in limbs if source.exists()]  # lanes are there for some
     made_of = [*own, *(generated / "include/qvgen/robots" / robot).glob("*"), *HERE.glob("*.h"),
                *(ROOT / "runtime/include").rglob("*.h"), *(ROOT / "runtime/source").rglob("*.h"), *_runtime_sources()]
     key = hash_of([rows, *command, *(path.read_bytes() for path in sorted(made_of))])

@@ -15,6 +15,7 @@ ARGUMENTS = {
     "ad": ("driven_count", "rates of the driven joints, rad/s or m/s"),
     "add": ("driven_count", "accelerations of the driven joints, rad/s^2 or m/s^2"),
     "forces": ("driven_count", "forces of the motors, N m or N"),
+    "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
 }
 # name: arguments, of what it takes constants, shape of a row of the result, a line of text
 FUNCTIONS = {
@@ -28,6 +29,8 @@ FUNCTIONS = {
                        "Rates of the platform's joints by those of the driven ones."),
     "driven_inverse_dynamics": ("q ad add", "geometry inertia gravity", "driven_count",
                                 "Forces of the motors for a motion, N m or N."),
+    "loop_forces": ("q ad add", "geometry inertia gravity", "passive_count",
+                    "Forces in the loops for a motion, N: a rod's pushes its ends apart."),
     "driven_mass_matrix": ("q", "geometry inertia", "driven_count, driven_count", "Mass matrix of the driven joints, symmetric."),
     "driven_forward_dynamics": ("q ad forces", "geometry inertia gravity", "driven_count",
                                 "Accelerations of the driven joints under forces of their motors."),
@@ -36,8 +39,12 @@ OF_A_TIP = {
     "pose_of": ("q", "geometry", "7", "Pose of the tip {} in the world frame: quaternion w, x, y, z, then the position in metres."),
     "jacobian_of": ("q", "geometry", "6, driven_count",
                     "Jacobian of the tip {} by the driven joints, in the world frame, linear rows first."),
+    "motor_forces_of": ("q wrench", "geometry", "driven_count", "Forces of the motors that hold a wrench on the tip {}, N m or N."),
+    "loop_forces_of": ("q wrench", "geometry", "passive_count", "Forces in the loops, N, that a wrench on the tip {} makes."),
 }
 SETS = {"assemble": "a", "assemble_from_outputs": "outputs"}
+ARGUMENTS["pose"] = ("7", "pose of the tip in the world frame: quaternion w, x, y, z, then the position in metres")
+OF_JOINTS, OF_POSE = "assemble_from_joints_of_", "inverse_kinematics_of_"
 
 HEAD = """#include <qvgen/robots/{robot}/assembly.h>
 #include "rows_loops.h"
@@ -51,6 +58,8 @@ FUNCTION = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
   return value_rows(c, [&](ptrdiff_t k) {{ return arm::{name}({values}); }});
 }}
 """
+
+READ_POSE = "TargetOf<qvgen::Pose<double>>::read(row<double>(c, 0, k))"
 
 SET = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
   const auto g = geometry(c);
@@ -78,22 +87,47 @@ def entry_of_loops(name):
     return arguments, constants, shape, line.format(match[2])
 
 
+def given_of(name):
+    """Returns the argument of a function that gives sets of assemblies, None of any other."""
+    if name.startswith(OF_JOINTS):
+        return "joints_of_" + name[len(OF_JOINTS):]
+    return "pose" if name.startswith(OF_POSE) else SETS.get(name)
+
+
+def argument_of(given):
+    """Returns the length of a row of an argument, and what it is."""
+    if given.startswith("joints_of_"):
+        return given + "_count", f"positions of the joints between the base and the tip {given[len('joints_of_'):]}, rad or m"
+    return ARGUMENTS[given]
+
+
 class Loops:
     """The header assembly.h of one robot, as text: its functions, numbers and places of joints."""
 
     def __init__(self, text):
         declared = dict.fromkeys(re.findall(r"^(?:inline )?[\w:<>, ]+ (\w+)\(const ", text, re.MULTILINE))
-        self.functions = [name for name in declared if name in SETS or name == "follow" or entry_of_loops(name)]
+        self.functions = [name for name in declared if given_of(name) or name == "follow" or entry_of_loops(name)]
         self.numbers = {name: int(value) for name, value in re.findall(r"constexpr int (\w+_count) = (\d+);", text)}
         lists = re.findall(r"constexpr std::array<int, \w+> ((?:driven|passive|output)_joints)\{([^}]*)\};", text)
         self.joints = {name: [int(each) for each in listed.split(",") if each.strip()] for name, listed in lists}
         self.numbers["output_count"] = len(self.joints.get("output_joints", ()))
+        limbs = re.findall(r"assemble_from_joints_of_(\w+)\(const Eigen::Matrix<double, (\d+), 1>& joints,\s+const Geometry", text)
+        self.numbers.update({f"joints_of_{tip}_count": int(count) for tip, count in limbs})
+        self.solved_tips = [name[len(OF_POSE):] for name in self.functions if name.startswith(OF_POSE)]
         self.tips = [name[len("pose_of_"):] for name in self.functions if name.startswith("pose_of_")]
 
+    def tips_with_parts(self, robot):
+        """Limbs of a robot with the parts of them whose functions are called."""
+        parts = ["jacobian", "kinematics"]
+        return {f"{robot}_{tip}": [*parts, *(["inverse", "inverse_avx2"] if tip in self.solved_tips else [])] for tip in self.tips}
 
-def _read(argument, place):
+
+def _read(argument, place, count=None):
     """C++ that reads an argument as a vector of its length."""
-    size = {"output_count": "static_cast<int>(arm::output_joints.size())"}.get(ARGUMENTS[argument][0], f"arm::{ARGUMENTS[argument][0]}")
+    if argument == "pose":
+        return READ_POSE
+    length = str(count) if count else ARGUMENTS[argument][0]
+    size = "static_cast<int>(arm::output_joints.size())" if length == "output_count" else length if length.isdigit() else f"arm::{length}"
     return f"vector<Eigen::Matrix<double, {size}, 1>>(row<double>(c, {place}, k))"
 
 
@@ -106,13 +140,14 @@ def _function(name):
     return FUNCTION.format(name=name, constants="\n  ".join(lines), values=", ".join(values))
 
 
-def _rows_of(name):
-    if name in SETS:
-        return SET.format(name=name, given=_read(SETS[name], 0))
+def _rows_of(name, numbers):
+    given = given_of(name)
+    if given:
+        return SET.format(name=name, given=_read(given, 0, numbers.get(f"{given}_count")))
     return FOLLOW.format(given=_read("a", 0)) if name == "follow" else _function(name)
 
 
-def loop_rows(robot, functions):
+def loop_rows(robot, loops):
     """C++ that runs functions of closed loops over rows, behind that of the robot's other functions."""
-    head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in functions else "")
-    return head + "".join(_rows_of(name) for name in functions)
+    head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in loops.functions else "")
+    return head + "".join(_rows_of(name, loops.numbers) for name in loops.functions)

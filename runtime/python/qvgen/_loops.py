@@ -9,7 +9,7 @@ import numpy as np
 from ._call import Rows, result
 from ._functions import made
 from ._inverse import solution_arrays
-from ._loop_rows import ARGUMENTS, SETS, entry_of_loops
+from ._loop_rows import ARGUMENTS, argument_of, entry_of_loops, given_of
 from ._tables import sizes
 
 DEFAULTS = {"geometry": None, "inertia": None, "gravity": 9.80665}
@@ -74,8 +74,8 @@ def _plain(robot, name):
 
 def _set(robot, name):
     """A function that gives all assemblies for each row."""
-    given, numbers = SETS[name], _numbers(robot)
-    size, meaning = ARGUMENTS[given]
+    given, numbers = given_of(name), _numbers(robot)
+    size, meaning = argument_of(given)
 
     def call(value, seed, geometry, tolerance):
         from . import Assemblies
@@ -120,7 +120,7 @@ def _follow(robot):
 
 def loop_functions(robot):
     """Functions of a robot's closed loops, by their names."""
-    return {name: _set(robot, name) if name in SETS else _follow(robot) if name == "follow" else _plain(robot, name)
+    return {name: _set(robot, name) if given_of(name) else _follow(robot) if name == "follow" else _plain(robot, name)
             for name in robot.loops.functions}
 
 

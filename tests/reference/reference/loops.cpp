@@ -42,7 +42,11 @@ Closure closure_of(const toml::table& table, const Chain& chain, const Values& v
     for (std::size_t k = 0; k < 3; ++k)
       closure.points[i][static_cast<Eigen::Index>(k)] = value_of(*table["at"][i][k].node(), values);
   }
-  if (const toml::node* length = table.get("length")) closure.length = value_of(*length, values);
+  const toml::node* length = table.get("length");
+  const auto named = length == nullptr ? std::nullopt : length->value_exact<std::string>();
+  for (std::size_t i = 0; named && i < chain.joints.size(); ++i)
+    if (chain.joints[i].variable == *named) closure.length_joint = static_cast<Eigen::Index>(i);
+  if (length != nullptr && closure.length_joint < 0) closure.length = value_of(*length, values);
   return closure;
 }
 
@@ -70,12 +74,33 @@ double distance(const LoopMechanism& mechanism, const VectorXd& a, const VectorX
   return worst;
 }
 
+/// The gaps, and how far a frame is from the pose that it has to be in: metres and a rotation vector.
+VectorXd left(const LoopMechanism& mechanism, const std::optional<Reached>& reached, const VectorXd& q) {
+  const VectorXd open = gaps(mechanism, q);
+  if (!reached) return open;
+  const Isometry3d at = pose_of(mechanism.chain, reached->frame, q);
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(at.linear() * reached->pose.linear().transpose()));
+  VectorXd all(open.size() + 6);
+  all << open, at.translation() - reached->pose.translation(), turn.angle() * turn.axis();
+  return all;
+}
+
+MatrixXd left_jacobian(const LoopMechanism& mechanism, const std::optional<Reached>& reached,
+                       const VectorXd& q) {
+  const MatrixXd open = gap_jacobian(mechanism, q);
+  if (!reached) return open;
+  MatrixXd all(open.rows() + 6, q.size());
+  all << open, jacobian_of(mechanism.chain, reached->frame, q);
+  return all;
+}
+
 /// True if Newton's steps of the passive joints close the gaps.
-bool close(const LoopMechanism& mechanism, const std::vector<Eigen::Index>& open, VectorXd& q) {
+bool close(const LoopMechanism& mechanism, const std::vector<Eigen::Index>& open,
+           const std::optional<Reached>& reached, VectorXd& q) {
   for (int step = 0; step < 40; ++step) {
-    const VectorXd off = gaps(mechanism, q);
+    const VectorXd off = left(mechanism, reached, q);
     if (off.cwiseAbs().maxCoeff() < 1e-12 * mechanism.size) return true;
-    const MatrixXd all = gap_jacobian(mechanism, q);
+    const MatrixXd all = left_jacobian(mechanism, reached, q);
     MatrixXd by(off.size(), static_cast<Eigen::Index>(open.size()));
     for (std::size_t i = 0; i < open.size(); ++i) by.col(static_cast<Eigen::Index>(i)) = all.col(open[i]);
     VectorXd way = least_squares(by, off);
@@ -120,8 +145,8 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
   for (const Closure& closure : mechanism.closures) {
     const Ends ends = ends_of(mechanism, closure, at);
     const Vector3d way = ends.at[0] - ends.at[1];
-    if (closure.length > 0)
-      result.push_back(way.norm() - closure.length);
+    if (closure.is_rod())
+      result.push_back(way.norm() - (closure.length_joint < 0 ? closure.length : q[closure.length_joint]));
     else
       result.insert(result.end(), {way.x(), way.y(), way.z()});
   }
@@ -145,8 +170,10 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
         by.col(static_cast<Eigen::Index>(i)) += (end == 0 ? 1 : -1) * rate;
       }
     }
-    if (closure.length > 0) {
-      result.row(row++) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
+    if (closure.is_rod()) {
+      result.row(row) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
+      if (closure.length_joint >= 0) result(row, closure.length_joint) -= 1;
+      ++row;
     } else {
       result.middleRows(row, 3) = by;
       row += 3;
@@ -156,7 +183,8 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
 }
 
 std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
-                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed) {
+                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed,
+                                 const std::optional<Reached>& reached) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> turn(-M_PI, M_PI), slide(-mechanism.size, mechanism.size);
   std::vector<Eigen::Index> open;
@@ -167,7 +195,7 @@ std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd&
     VectorXd at = q;
     for (const Eigen::Index i : open)
       at[i] = mechanism.chain.joints[static_cast<std::size_t>(i)].revolute ? turn(random) : slide(random);
-    if (!close(mechanism, open, at)) continue;
+    if (!close(mechanism, open, reached, at)) continue;
     for (const Eigen::Index i : open)
       if (mechanism.chain.joints[static_cast<std::size_t>(i)].revolute) at[i] = wrapped(at[i]);
     const auto same = [&](const VectorXd& other) { return distance(mechanism, at, other) < 1e-5; };

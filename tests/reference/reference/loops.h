@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "reference/chain.h"
 #include "reference/expression.h"
@@ -16,6 +17,8 @@ struct Closure {
   std::array<Eigen::Index, 2> links{-1, -1};  ///< joints that move them, -1: the base
   std::array<Vector3d, 2> points{};           ///< in the links' frames
   double length = 0;                          ///< of a rod; 0: the points are one
+  Eigen::Index length_joint = -1;             ///< slide whose value is the length of a rod, -1: none
+  [[nodiscard]] bool is_rod() const { return length > 0 || length_joint >= 0; }
 };
 
 struct LoopMechanism {
@@ -32,10 +35,17 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Their derivatives by all joints, by cross products.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
-/// Passive joints for given ones (indices) at which all gaps vanish, from many starts: each once, angles in
-/// (-pi, pi].
+/// A pose, in the world's frame, that a frame has to be in.
+struct Reached {
+  NamedFrame frame;
+  Isometry3d pose;
+};
+
+/// Joints other than the given ones (indices) at which all gaps vanish and, if asked for, a frame is in its
+/// pose, from many starts: each once, angles in (-pi, pi].
 std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
-                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed);
+                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed,
+                                 const std::optional<Reached>& reached = {});
 
 /// Accelerations of all joints under forces of all joints, with multipliers that hold the loops together.
 VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd& q, const VectorXd& qd,
