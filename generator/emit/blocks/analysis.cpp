@@ -205,6 +205,10 @@ Extent extent_of(const Expression& size) {
   return {false, count};
 }
 
+bool has_no_constants(const Structure& structure) {
+  return structure.fields.size() == 1 && structure.fields[0].name == "none";
+}
+
 bool solves_poses(const Unit& unit) { return unit.function(unit.robot + "_inverse_kinematics") != nullptr; }
 
 bool has_module(const Unit& unit, const std::string& name) {

@@ -62,6 +62,9 @@ bool has_module(const Unit& unit, const std::string& name);
 /// The type that a pointer parameter leads to, an array with its size.
 TypeRef pointee(const Field& parameter);
 
+/// True for a structure of which C has one byte, as all its constants are numbers in the code.
+bool has_no_constants(const Structure& structure);
+
 /// True for types that a pointer leads to a number of.
 bool is_scalar_pointer(const TypeRef& type);
 

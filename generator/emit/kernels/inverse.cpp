@@ -38,8 +38,7 @@ bool has_regular_rows(const blocks::Unit& unit, const std::string& source) {
 
 std::string inverse_text(const blocks::Unit& unit, const std::string& header, const std::string& source) {
   if (!has_regular_rows(unit, source)) return "";
-  const blocks::Structure& geometry = unit.structures.at(unit.robot + "_geometry");
-  const bool is_empty = geometry.fields.size() == 1 && geometry.fields[0].name == "none";
+  const bool is_empty = blocks::has_no_constants(unit.structures.at(unit.robot + "_geometry"));
   const nlohmann::json values{{"name", unit.robot},
                               {"dof", unit.constant(unit.robot + "_dof")->value[0].text},
                               {"has_geometry", !is_empty}};

@@ -34,11 +34,10 @@ bool is_structure(const blocks::Field& each) {
   return each.type->kind == Type::Kind::pointer && each.type->of->kind == Type::Kind::structure;
 }
 
-/// True for a structure of which C has one byte, as all its constants are numbers in the code.
+/// True for a structure without constants, or of no description.
 bool is_empty(const blocks::Unit& unit, const blocks::Field& each) {
   const auto found = unit.structures.find(each.type->of->name);
-  return found == unit.structures.end() ||
-         (found->second.fields.size() == 1 && found->second.fields[0].name == "none");
+  return found == unit.structures.end() || blocks::has_no_constants(found->second);
 }
 
 std::string brackets(const std::vector<int>& sizes) {

@@ -102,7 +102,7 @@ std::string function_file(const blocks::Unit& unit, const Signature& signature) 
 /// A structure's default values, with the names of its fields.
 std::string structure_text(const blocks::Unit& unit, const blocks::Constant& constant) {
   const blocks::Structure& structure = unit.structures.at(constant.type->name);
-  if (is_empty(structure)) return "struct()";
+  if (blocks::has_no_constants(structure)) return "struct()";
   const blocks::Expressions& values = constant.value.at(0).operands;
   std::string list;
   for (std::size_t i = 0; i < structure.fields.size(); ++i)

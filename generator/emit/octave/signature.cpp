@@ -74,7 +74,7 @@ class SignatureReader {
   /// False for a structure without constants.
   bool describe_structure(const blocks::Field& each, Input& input) const {
     const blocks::Structure& structure = unit_.structures.at(each.type->of->name);
-    if (is_empty(structure)) return false;
+    if (blocks::has_no_constants(structure)) return false;
     const bool has_numbers =
         std::all_of(structure.fields.begin(), structure.fields.end(),
                     [](const auto& field) { return field.type->kind == Type::Kind::real; });
@@ -156,10 +156,6 @@ std::optional<Signature> signature_of(const blocks::Unit& unit, const blocks::Sh
   } catch (const NotCallable&) {
     return std::nullopt;
   }
-}
-
-bool is_empty(const blocks::Structure& structure) {
-  return structure.fields.size() == 1 && structure.fields[0].name == "none";
 }
 
 std::string value_name(const std::string& name) {

@@ -48,9 +48,6 @@ struct Signature {
 std::optional<Signature> signature_of(const blocks::Unit& unit, const blocks::Shapes& shapes,
                                       const blocks::Function& function);
 
-/// True for structures of C that have no constants, as these are numbers in the code.
-bool is_empty(const blocks::Structure& structure);
-
 /// A name that is no word of Octave's or MATLAB's.
 std::string value_name(const std::string& name);
 
