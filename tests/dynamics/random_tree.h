@@ -27,12 +27,12 @@ using derive::dynamics::Formulation;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Seeds of one of the four parts of a test of random trees, `part` being 1, 51, 101 or 151: 25, or a
+/// Seeds of one of the four parts of a test of random trees, `part` being 1, 51, 101 or 151: fifty, or a
 /// quarter of the variable QVGEN_TREES.
 struct Seeds {
   explicit Seeds(unsigned part) {
     const char* trees = std::getenv("QVGEN_TREES");
-    const unsigned each = trees == nullptr ? 25 : static_cast<unsigned>(std::atoi(trees)) / 4;
+    const unsigned each = trees == nullptr ? 50 : static_cast<unsigned>(std::atoi(trees)) / 4;
     first = part / 50 * each + 1;
     end = first + each;
   }
