@@ -161,6 +161,12 @@ std::string text_of_order(const model::Robot& described, const AssemblyPlan& ass
   return "";
 }
 
+/// The gap, a share of the size, of closed rows; wider where more joints than freedoms are given, rounded.
+std::string closing_of(const LoopVariant& variant, const AssemblyPlan& assembly) {
+  const bool too_many = variant.of_limb && !assembly.redundant.empty();
+  return too_many ? "std::max(t.tolerance, 1e-11)" : "t.tolerance";
+}
+
 /// Given slides whose values are lengths of rods, so not below zero.
 json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
   json list = json::array();
@@ -200,6 +206,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given_count", assembly.given.size()},
           {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
           {"given_values", given_values},
+          {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
           {"geometry", geometry},
