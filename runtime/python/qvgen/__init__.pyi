@@ -75,12 +75,15 @@ class Motion(NamedTuple):
     turns: float
     values: NDArray[float64] | None
     gaps: list[tuple[float, float]] | None
+    t: NDArray[float64] | None = None
 
 class Paths(NamedTuple):
     motions: list[Motion]
     whole: list[int]
     chain: list[tuple[int, float]]
     gaps: list[tuple[float, float]]
+    others: list[tuple[float, float]] | None = None
+    fastest: int | None = None
 
 class Page:
     path: pathlib.Path
@@ -239,7 +242,9 @@ class Robot(Protocol):
     def paths(
         self, poses: ArrayLike, *, free: str | None = None, hold: Mapping[str, float] | None = None,
         limits: _Limits = "description", times: ArrayLike | None = None, screw: bool = False,
-        prefer: ArrayLike | None = None, prove: bool = False,
+        prefer: ArrayLike | None = None, prove: bool = False, time: ArrayLike | None = None,
+        joint_speeds: ArrayLike | None = None, spline: bool = False, blend: float | None = None,
+        free_range: tuple[float, float] | None = None,
     ) -> Paths: ...
     def plot(self, q: ArrayLike, *, axes: Any = None) -> Any: ...  # axes of matplotlib
     def show(self, *, browser: bool = True) -> Page: ...
