@@ -124,7 +124,7 @@ std::string proof_of(const path::Motion& motion) {
   return "proven but from " + stretches_text(motion.proof->gaps);
 }
 
-/// The proof that there are no other motions.
+/// Says whether it is proven that no other motion follows the path.
 std::string complete_text(const path::Result& result) {
   if (!result.complete) return "";
   std::string text = "no other motion follows the path, whatever the limits: proven";

@@ -141,14 +141,6 @@ std::optional<VectorXd> described_parameters(const model::Robot& robot) {
   return result;
 }
 
-std::vector<bool> described_links(const model::Robot& robot) {
-  const model::Bindings values = model::default_bindings(robot);
-  std::vector<bool> result;
-  for (const model::Joint& joint : robot.joints)
-    result.push_back(described(joint.inertia, values).has_value());
-  return result;
-}
-
 Prior prior_of(const model::Robot& robot, const ArmRegressor& arm, const Estimate& estimate,
                std::optional<double> mass) {
   const model::Bindings values = model::default_bindings(robot);

@@ -20,7 +20,4 @@ Prior prior_of(const model::Robot& robot, const ArmRegressor& arm, const Estimat
 /// them; nothing if a link has none. Drives without numbers are zero.
 std::optional<Eigen::VectorXd> described_parameters(const model::Robot& robot);
 
-/// True for each link whose prior is the description's.
-std::vector<bool> described_links(const model::Robot& robot);
-
 }  // namespace qvgen::identify

@@ -46,7 +46,7 @@ struct Motion {
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
 };
 
-/// Proof that there are no other motions.
+/// Stretches on which the proof cannot exclude another motion.
 struct CompleteProof {
   std::vector<std::pair<double, double>> gaps;  ///< stretches that are not proven
   int found = 0;                                ///< motions, but for limits, that only the proof has met

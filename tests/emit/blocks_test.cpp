@@ -236,7 +236,7 @@ TEST(Blocks, OnlyWhatPublicFunctionsReachIsLeft) {
   EXPECT_EQ(
       emit::blocks::reached(names + "\n" + head + "\n// Goes.\nstatic int spare(void) { return 1; }\n" +
                             "static const double b = 2;\n" + constant + number + "typedef int Unused;\n" +
-                            "// Of nothing.\n\n" + called + kept + open),
+                            "// Nothing follows.\n\n" + called + kept + open),
       names + "\n" + head + "\n" + constant + "\n" + number + "\n" + called + "\n" + kept + "\n" + open);
   EXPECT_EQ(emit::blocks::reached("static int a(void) { return 1; }\n"), "");
   for (const char* wrong : {"int a = 'b';\n", "static int a(void) {\n", "{ int a; }\n", "int a\n"})

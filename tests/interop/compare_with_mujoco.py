@@ -24,8 +24,8 @@ except ImportError:
     print("skipped: pip install mujoco numpy")
     sys.exit(77)
 
-from imported import (ALLOWED, Description, base_and_tip, folders_of_packages, frames_of, imported, report, rotation,  # noqa: E402
-                      transform)
+from imported import (ALLOWED, Description, base_and_tip, difference_of_places, folders_of_packages, imported, report,  # noqa: E402
+                      rotation, transform)
 
 PACKAGES = ["mujoco", "dm_control", "mujoco_playground", "gymnasium_robotics", "robosuite"]
 # The moments of a mesh are right to 3e-13 in MuJoCo, its principal axes to 1e-7 of them (measured for tetrahedra, 4.0.1).
@@ -145,11 +145,7 @@ def compare(tool, path):
         values = random.uniform(-1.5, 1.5, len(description.joints))
         chain.place(values)
         links, tool_frame = description.links(values)
-        poses = max(poses, abs(tool_frame - chain.pose()).max())
-        for name, here in frames_of(description, links):
-            other = chain.frame(name)
-            if other is not None:
-                poses = max(poses, abs(here - other).max())
+        poses = max(poses, difference_of_places(description, chain, links, tool_frame))
         if has_masses and not has_balls:
             own, other = description.mass_matrix(values), chain.mass_matrix()
             gap = abs(own - other).max() / max(1e-9, abs(other).max())

@@ -25,7 +25,7 @@ except ImportError:
     print("skipped: pip install pin numpy example-robot-data")
     sys.exit(77)
 
-from imported import Description, base_and_tip, frames_of, imported, report  # noqa: E402
+from imported import Description, base_and_tip, difference_of_places, imported, report  # noqa: E402
 
 PYTHON = pathlib.Path(__file__).resolve().parents[2] / "runtime/python"
 FALL = np.array([0, 0, -9.80665])  # in the frame of the chain's base
@@ -146,11 +146,7 @@ def compare(tool, path, with_code):
         values = random.uniform(-1.5, 1.5, len(description.joints))
         chain.place(values)
         links, tool_frame = description.links(values)
-        largest = max(largest, abs(tool_frame - chain.pose()).max())
-        for name, here in frames_of(description, links):
-            other = chain.frame(name)
-            if other is not None:
-                largest = max(largest, abs(here - other).max())
+        largest = max(largest, difference_of_places(description, chain, links, tool_frame))
         if has_masses:
             largest = max(largest, share(description.mass_matrix(values), chain.mass_matrix()),
                           share(description.gravity_torque(values, FALL), chain.gravity_torque()))

@@ -118,6 +118,16 @@ def frames_of(description, links):
         yield frame["name"], link @ frame_of(frame, "translation")
 
 
+def difference_of_places(description, chain, links, tool_frame):
+    """Largest difference of the tool's and the frames' poses from those of another reader's chain, m or of a matrix's entry."""
+    largest = abs(tool_frame - chain.pose()).max()
+    for name, here in frames_of(description, links):
+        other = chain.frame(name)
+        if other is not None:
+            largest = max(largest, abs(here - other).max())
+    return largest
+
+
 def folders_of_packages(names):
     """Folders of those Python packages that are installed."""
     found = [importlib.util.find_spec(name) for name in names]

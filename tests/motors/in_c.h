@@ -8,9 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include <qvgen/robots/gantry.h>
 #include <qvgen/robots/nested_wrist.h>
-#include <qvgen/robots/rail_seven.h>
 #include <qvgen_belt_scara_inverse.h>
 #include <qvgen_bevel_arm_inverse.h>
 #include <qvgen_gantry_inverse.h>
@@ -18,7 +16,7 @@
 #include <qvgen_nested_wrist_inverse.h>
 #include <qvgen_rail_seven_inverse.h>
 
-#include "arms.h"
+#include "outer_arms.h"
 
 namespace qvgen::test {
 
@@ -88,8 +86,7 @@ struct GearedInC : GearedSeven {
   static auto given(const Vector& q) { return std::tuple(q[0]); }
 };
 
-/// Eight joints: the first and one of the inner arm's seven are given.
-struct RailInC : MotorArm<8> {
+struct RailInC : RailSeven {
   using Set = rail_seven_solutions;
   using Representatives = rail_seven_representatives;
   static constexpr auto all = rail_seven_inverse_kinematics_given_rail_theta3;
@@ -99,21 +96,10 @@ struct RailInC : MotorArm<8> {
   static constexpr auto start = rail_seven_start_representatives;
   static constexpr auto next = rail_seven_next_representative;
   static constexpr auto& kinds = robots::rail_seven::is_revolute;
-  static auto pose(const Vector& q) { return robots::rail_seven::forward_kinematics(q); }
   static auto given(const Vector& q) { return std::tuple(q[0], q[3]); }
-  RailInC() : MotorArm("rail_seven") {}
-  template <class... More>
-  static auto solve(const Vector& at, const qvgen::Pose<double>& pose, const More&... more) {
-    return robots::rail_seven::inverse_kinematics_given_rail_theta3(pose, at[0], at[3], more...);
-  }
-  template <class... More>
-  static auto near(const Vector& at, const qvgen::Pose<double>& pose, const More&... more) {
-    return robots::rail_seven::inverse_kinematics_near_given_rail_theta3(pose, at[0], at[3], more...);
-  }
 };
 
-/// Nine joints: two in front and one behind are given.
-struct GantryInC : MotorArm<9> {
+struct GantryInC : Gantry {
   using Set = gantry_solutions;
   using Representatives = gantry_representatives;
   static constexpr auto all = gantry_inverse_kinematics_given_gx_gz_flange;
@@ -123,17 +109,7 @@ struct GantryInC : MotorArm<9> {
   static constexpr auto start = gantry_start_representatives;
   static constexpr auto next = gantry_next_representative;
   static constexpr auto& kinds = robots::gantry::is_revolute;
-  static auto pose(const Vector& q) { return robots::gantry::forward_kinematics(q); }
   static auto given(const Vector& q) { return std::tuple(q[0], q[1], q[8]); }
-  GantryInC() : MotorArm("gantry") {}
-  template <class... More>
-  static auto solve(const Vector& at, const qvgen::Pose<double>& pose, const More&... more) {
-    return robots::gantry::inverse_kinematics_given_gx_gz_flange(pose, at[0], at[1], at[8], more...);
-  }
-  template <class... More>
-  static auto near(const Vector& at, const qvgen::Pose<double>& pose, const More&... more) {
-    return robots::gantry::inverse_kinematics_near_given_gx_gz_flange(pose, at[0], at[1], at[8], more...);
-  }
 };
 
 /// Calls a function in C with a pose, the given values of `q`, and more arguments.

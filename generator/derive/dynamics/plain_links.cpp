@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the plain recursion reads: a description, or standard parameters, in numbers at a point.
+// Links of the plain recursion: those of a description, or of standard parameters, in numbers at a point.
 #include <algorithm>
 #include <cstdlib>
 

@@ -8,7 +8,7 @@
 namespace qvgen::emit::blocks {
 
 /// Returns a source of C without the types, constants and static functions that no public function reaches.
-/// What is left keeps its order, its comments and its lines, with one blank line between definitions. Throws
+/// Definitions keep their order, comments and lines. One blank line stands between two of them. Throws
 /// NotInSubset.
 std::string reached(const std::string& source);
 

@@ -174,7 +174,7 @@ inline constexpr double near_enough_singular = 1e-2;
 inline constexpr double near_enough_by_tolerance = 30;
 /// In any case: farther out steps lead anywhere.
 inline constexpr double near_enough_at_most = 0.3;
-/// Starts that are no farther apart are one.
+/// Two starts nearer than this are one.
 inline constexpr double same_start = digits(1e-6);
 /// A direction leans away from an axis, as Eigen tells it in `Quaternion::FromTwoVectors`.
 inline constexpr double leaning = digits(1e-12);
