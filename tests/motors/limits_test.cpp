@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "arms.h"
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -56,7 +57,7 @@ class MotorLimits : public testing::Test {
   }
 
   Arm arm_;
-  const Eigen::Matrix<double, Arm::dof, Arm::dof> matrix_ = arm_.coupling, inverse_ = matrix_.inverse();
+  const Eigen::Matrix<double, Arm::dof, Arm::dof> matrix_ = arm_.coupling, inverse_ = reference::inverse(matrix_);
   std::mt19937 random_{5};
 };
 TYPED_TEST_SUITE(MotorLimits, MotorArms);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <qvgen/inverse/motors.h>
@@ -14,6 +14,7 @@
 #include "model/evaluate.h"
 #include "model/followers.h"
 #include "model/motor_turns.h"
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -81,7 +82,7 @@ std::optional<Arm> arm_of(const std::string& text) {
     arm.lower[i] = bound_of(arm.robot, i, true);
     arm.upper[i] = bound_of(arm.robot, i, false);
   }
-  arm.inverse = arm.matrix.inverse();
+  arm.inverse = reference::inverse(arm.matrix);
   return arm;
 }
 

@@ -10,7 +10,7 @@ import sys
 LIBRARIES = re.compile(r"^qvgen_runtime_library\((\w+)([^)]*)\)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](qvgen/[^>"]+)[>"]', re.MULTILINE)
 # Headers that do not stand where their library's do: they use the type of solutions.
-ELSEWHERE = {"qvgen/assembly.h": "inverse", "qvgen/closed_arm.h": "inverse", "qvgen/cubic_trajectory.h": "inverse", "qvgen/paden_kahan.h": "inverse"}
+ELSEWHERE = {"qvgen/assembly.h": "inverse", "qvgen/closed_arm.h": "inverse", "qvgen/loop_motion.h": "inverse", "qvgen/cubic_trajectory.h": "inverse", "qvgen/paden_kahan.h": "inverse"}
 
 
 def needs_of(text):

@@ -21,6 +21,42 @@ std::string name_of(const std::vector<Joint>& joints, std::size_t i) {
   return joints[i].variable.empty() ? "joint " + std::to_string(i) : joints[i].variable;
 }
 
+/// True if these are values of the joints themselves, as they are unless joints follow others. Most chains
+/// are such, and names are then not compared.
+bool are_joints(const Chain& chain, Eigen::Index count) {
+  return count == static_cast<Eigen::Index>(chain.joints.size()) &&
+         std::all_of(chain.joints.begin(), chain.joints.end(),
+                     [](const Joint& joint) { return joint.leaders.empty(); });
+}
+
+/// The frames of all links in the world frame.
+std::vector<Isometry3d> links(const Chain& chain, const VectorXd& values) {
+  const bool by_joints = are_joints(chain, values.size());
+  eigen_assert(by_joints || values.size() == chain.size());
+  const VectorXd q = by_joints ? values : VectorXd(chain.coupling() * values);
+  std::vector<Isometry3d> result;
+  result.reserve(chain.joints.size() + 1);
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Joint& joint = chain.joints[i];
+    const Eigen::Index parent = chain.parent_of(i);
+    const Isometry3d& from = parent < 0 ? chain.base : result[static_cast<std::size_t>(parent)];
+    result.push_back(from * joint.before * motion(joint, q[static_cast<Eigen::Index>(i)]) * joint.after);
+  }
+  return result;
+}
+
+std::vector<JointPlace> places_between(const Chain& chain, const std::vector<Isometry3d>& links) {
+  std::vector<JointPlace> places;
+  places.reserve(chain.joints.size());
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Eigen::Index parent = chain.parent_of(i);
+    const Isometry3d frame =
+        (parent < 0 ? chain.base : links[static_cast<std::size_t>(parent)]) * chain.joints[i].before;
+    places.push_back({frame.linear() * chain.joints[i].axis, frame.translation()});
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<std::string> Chain::driven() const {
@@ -62,32 +98,14 @@ bool Chain::moves(std::size_t i, std::size_t k) const {
   return at >= 0;
 }
 
-std::vector<Isometry3d> frames(const Chain& chain, const VectorXd& values) {
-  eigen_assert(values.size() == chain.size());
-  const VectorXd q = chain.coupling() * values;
-  std::vector<Isometry3d> result;
-  Isometry3d frame = chain.base;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    const Joint& joint = chain.joints[i];
-    const Eigen::Index parent = chain.parent_of(i);
-    frame = parent < 0 ? chain.base : result[static_cast<std::size_t>(parent)];
-    frame = frame * joint.before * motion(joint, q[static_cast<Eigen::Index>(i)]) * joint.after;
-    result.push_back(frame);
-  }
-  result.push_back(frame * chain.tool);
+std::vector<Isometry3d> frames(const Chain& chain, const VectorXd& q) {
+  std::vector<Isometry3d> result = links(chain, q);
+  result.push_back((result.empty() ? chain.base : result.back()) * chain.tool);
   return result;
 }
 
 std::vector<JointPlace> joint_places(const Chain& chain, const VectorXd& q) {
-  const std::vector<Isometry3d> links = frames(chain, q);
-  std::vector<JointPlace> places;
-  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-    const Eigen::Index parent = chain.parent_of(i);
-    const Isometry3d frame =
-        (parent < 0 ? chain.base : links[static_cast<std::size_t>(parent)]) * chain.joints[i].before;
-    places.push_back({frame.linear() * chain.joints[i].axis, frame.translation()});
-  }
-  return places;
+  return places_between(chain, links(chain, q));
 }
 
 Isometry3d forward_kinematics(const Chain& chain, const VectorXd& q) { return frames(chain, q).back(); }
@@ -101,8 +119,9 @@ MatrixXd jacobian(const Chain& chain, const VectorXd& q) {
 }
 
 MatrixXd jacobian_of(const Chain& chain, const NamedFrame& frame, const VectorXd& q) {
-  const Vector3d at = pose_of(chain, frame, q).translation();
-  const std::vector<JointPlace> places = joint_places(chain, q);
+  const std::vector<Isometry3d> all = links(chain, q);
+  const Vector3d at = (all[frame.joint] * frame.placement).translation();
+  const std::vector<JointPlace> places = places_between(chain, all);
   MatrixXd result = MatrixXd::Zero(6, static_cast<Eigen::Index>(chain.joints.size()));
   for (Eigen::Index i = 0; i <= static_cast<Eigen::Index>(frame.joint); ++i) {
     if (!chain.moves(static_cast<std::size_t>(i), frame.joint)) continue;
@@ -114,7 +133,7 @@ MatrixXd jacobian_of(const Chain& chain, const NamedFrame& frame, const VectorXd
       result.block<3, 1>(0, i) = axis;
     }
   }
-  return result * chain.coupling();
+  return are_joints(chain, q.size()) ? result : MatrixXd(result * chain.coupling());
 }
 
 }  // namespace reference

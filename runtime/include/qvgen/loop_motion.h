@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Motion of closed loops: how passive joints follow the given ones, by rates, by accelerations and by
+// Newton's steps, and the forces that the loops carry. Generated sources include it, their headers do not.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Core>
+#include <qvgen/assembly.h>
+#include <qvgen/detail/linear_system.h>
+
+namespace qvgen {
+
+/// Columns of a matrix, in that order.
+template <int rows, int dof, std::size_t count>
+Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(
+    const Eigen::Matrix<double, rows, dof>& matrix, const std::array<int, count>& columns) {
+  Eigen::Matrix<double, rows, static_cast<int>(count)> result;
+  for (std::size_t i = 0; i < count; ++i) result.col(static_cast<int>(i)) = matrix.col(columns[i]);
+  return result;
+}
+
+/// Rates of all joints for rates of the given ones: dq/da, one row a joint and one column a given joint.
+/// `jacobian` has the loops' equations by all joints, as many rows as there are passive joints. Not finite at
+/// dead centres.
+template <int rows, int dof, std::size_t passive_count, std::size_t given_count>
+Eigen::Matrix<double, dof, static_cast<int>(given_count)> loop_rates(
+    const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, passive_count>& passive,
+    const std::array<int, given_count>& given) {
+  static_assert(rows == static_cast<int>(passive_count), "as many equations as passive joints");
+  const detail::LinearSystem<rows> factors(columns_of(jacobian, passive));
+  const Eigen::Matrix<double, rows, static_cast<int>(given_count)> solved =
+      factors.solve(columns_of(jacobian, given));
+  Eigen::Matrix<double, dof, static_cast<int>(given_count)> rates;
+  rates.setZero();
+  for (std::size_t i = 0; i < passive_count; ++i) rates.row(passive[i]) = -solved.row(static_cast<int>(i));
+  for (std::size_t i = 0; i < given_count; ++i) rates(given[i], static_cast<int>(i)) = 1;
+  return rates;
+}
+
+/// Accelerations of all joints at which the given ones have none: what their rates alone make of the passive
+/// ones. `bias` is the loops' second derivative by time at those rates.
+template <int rows, int dof, std::size_t passive_count>
+Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
+                      const std::array<int, passive_count>& passive,
+                      const Eigen::Matrix<double, rows, 1>& bias) {
+  const Eigen::Matrix<double, rows, 1> solved =
+      detail::LinearSystem<rows>(columns_of(jacobian, passive)).solve(bias);
+  Joints<dof> result = Joints<dof>::Zero();
+  for (std::size_t i = 0; i < passive_count; ++i) result[passive[i]] = -solved[static_cast<int>(i)];
+  return result;
+}
+
+/// Forces that the loops carry, one an equation, N: a rod's pushes its ends apart, a pin's is along the
+/// directions of its gap and acts on the first link. `forces` are those that all joints would need if the
+/// loops were open, rad or m; the passive ones have no motors, so the loops bear theirs. Not finite at dead
+/// centres.
+template <int rows, int dof, std::size_t passive_count>
+Eigen::Matrix<double, rows, 1> loop_forces(const Eigen::Matrix<double, rows, dof>& jacobian,
+                                           const std::array<int, passive_count>& passive,
+                                           const Joints<dof>& forces) {
+  const detail::LinearSystem<rows> factors(columns_of(jacobian, passive));
+  Eigen::Matrix<double, rows, 1> borne;
+  for (std::size_t i = 0; i < passive_count; ++i) borne[static_cast<int>(i)] = forces[passive[i]];
+  return factors.solve_transposed(borne);
+}
+
+/// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
+/// can move although the others stand still. The determinant by these joints, divided by the lengths of its
+/// rows; one that is but rounding next to the others counts as longer than it is.
+template <int rows, int dof, std::size_t count>
+double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
+  const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
+  const double least = 1e-6 * jacobian.norm();
+  double lengths = 1;
+  for (int i = 0; i < rows; ++i) lengths *= std::max(jacobian.row(i).norm(), least);
+  return lengths > 0 ? std::abs(detail::LinearSystem<rows>(part).determinant()) / lengths : 0;
+}
+
+/// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
+/// ones: 30 at most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q; `enough` is
+/// the gap, m, that counts as closed. It is an iteration: it leads to one assembly, which need not be the
+/// seed's where the way is long.
+template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
+Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& passive, const Gaps& gaps,
+                           const Jacobian& jacobian, double enough) {
+  constexpr int rows = static_cast<int>(passive_count);
+  Followed<dof> found;
+  found.q = q;
+  double side = 0;
+  for (;; ++found.steps) {
+    const auto gap = gaps(found.q);
+    found.gap = gap.cwiseAbs().maxCoeff();
+    found.closed = gap.allFinite() && found.gap <= enough;
+    if (found.closed || found.steps == 30 || !gap.allFinite()) return found;
+    const detail::LinearSystem<rows> factors(columns_of(jacobian(found.q), passive));
+    const double determinant = factors.determinant();
+    if (found.steps == 0) side = determinant;
+    found.crossed = (determinant < 0) != (side < 0);
+    const Eigen::Matrix<double, rows, 1> left = gap.template head<rows>();
+    Eigen::Matrix<double, rows, 1> way = factors.solve(left);
+    const double longest = way.cwiseAbs().maxCoeff();
+    if (!(longest < 1e300)) return found;
+    if (longest > 0.5) way *= 0.5 / longest;
+    for (std::size_t i = 0; i < passive_count; ++i) found.q[passive[i]] -= way[static_cast<int>(i)];
+  }
+}
+
+}  // namespace qvgen
