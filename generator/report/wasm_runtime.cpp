@@ -33,7 +33,7 @@ std::string includes_of(const std::vector<std::string>& names) {
 
 /// All sources as one, so that headers are read once.
 std::string sources_text(const std::vector<std::string>& folders, const Runtime& runtime) {
-  std::vector<std::string> names{"core/sine_cosine.cpp", "inverse/within.cpp"};
+  std::vector<std::string> names{"core/sine_cosine.cpp", "inverse/requested_pose.cpp", "inverse/within.cpp"};
   for (const std::string& folder : folders)
     for (const std::string& name : files_in(runtime.sources, folder, ".cpp")) names.push_back(name);
   return includes_of(names);

@@ -111,7 +111,7 @@ class NativeCpp:
         runtime = source / "runtime/source"
         parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("elimination", "HAS_INVERSE")}
         sources, defined = parts[part]
-        files = [runtime / "core/sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
+        files = [runtime / "core/sine_cosine.cpp", runtime / "inverse/requested_pose.cpp", *sorted((runtime / sources).glob("*.cpp"))]
         text = "".join(f'#include "{path}"\n' for path in files)
         everything_in_one = folder / f"{part}.cpp"
         everything_in_one.write_text(text + f'#include "{pathlib.Path(__file__).parent / "native_calls.cpp"}"\n')

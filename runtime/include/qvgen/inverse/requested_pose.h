@@ -6,7 +6,6 @@
 
 #include <qvgen/inverse/reach_test.h>
 #include <qvgen/inverse/solutions.h>
-#include <qvgen/orientation/decimals.h>
 #include <qvgen/pose.h>
 
 /// Poses as callers give them: quaternions that rounding has left a little off length one, matrices,
@@ -30,37 +29,18 @@ inline Status status_beyond(const Pose<double>& pose) {
              : Status::invalid;
 }
 
-/// A rotation matrix by its entries: orthogonal with determinant 1 to within the tolerance of a pose's
-/// quaternion.
-inline bool is_rotation(const Matrix3<double>& r) {
-  const double tolerance = unit_tolerance<double>();
-  const double error = (r.transpose() * r - Matrix3<double>::Identity()).cwiseAbs().maxCoeff();
-  return error <= tolerance && r.determinant() > 0;
-}
+/// True if a matrix is a rotation by its entries: orthogonal with determinant 1 to within the tolerance of a
+/// pose's quaternion.
+bool is_rotation(const Matrix3<double>& matrix);
 
 /// Returns the pose of a rotation matrix and a position; none if that is no rotation, even by its digits.
-inline std::optional<Pose<double>> pose_by_matrix(const Matrix3<double>& rotation,
-                                                  const Vector3<double>& position) {
-  if (is_rotation(rotation)) return Pose<double>::from_matrix(rotation, position);
-  const auto read = read_orientation(rotation);
-  if (read.defect != OrientationDefect::none) return std::nullopt;
-  return Pose<double>{read.orientation, position};
-}
+std::optional<Pose<double>> pose_by_matrix(const Matrix3<double>& rotation, const Vector3<double>& position);
 
 /// Returns the pose meant by a quaternion whose length is off because its digits were rounded away; none if
 /// the quaternion is unit as it is, or is off by more than that.
-inline std::optional<Pose<double>> pose_meant(const Pose<double>& pose) {
-  const bool is_unit = std::abs(unit_excess(numbers_of(pose))) <= unit_tolerance<double>();
-  if (is_unit || !pose.orientation.coeffs().allFinite() || !is_unit_by_digits(pose.orientation.coeffs()))
-    return std::nullopt;
-  return pose.normalised();
-}
+std::optional<Pose<double>> pose_meant(const Pose<double>& pose);
 
 /// Returns a direction with length one if its digits explain why it has not, else as it is.
-inline Vector3<double> direction_meant(const Vector3<double>& direction) {
-  const bool is_unit = std::abs(direction.squaredNorm() - 1) <= unit_tolerance<double>();
-  return is_unit || !direction.allFinite() || !is_unit_by_digits(direction) ? direction
-                                                                            : direction.normalized();
-}
+Vector3<double> direction_meant(const Vector3<double>& direction);
 
 }  // namespace qvgen::inverse
