@@ -51,21 +51,25 @@ void add(const Found& found, Sums& sums) {
   sums.rows += rows;
 }
 
-constexpr const char* calls[] = {"all",    "seed", "seed_limits", "nearest",
-                                 "limits", "wide", "turns",       "visits"};
+constexpr const char* calls[] = {"all",         "seed",   "seed_limits", "nearest", "near",
+                                 "near_limits", "limits", "wide",        "turns",   "visits"};
 
 // The arm of a namespace `arm`, a type that has its functions.
-#define QVGEN_ARM_FUNCTIONS(name)                                    \
-  struct name {                                                      \
-    static constexpr const char* text = #name;                       \
-    template <class... Arguments>                                    \
-    static auto inverse(const Arguments&... arguments) {             \
-      return qvgen::robots::name::inverse_kinematics(arguments...);  \
-    }                                                                \
-    static qvgen::Pose<double> forward(const Joints& q) {            \
-      return qvgen::robots::name::forward_kinematics<double>(q);     \
-    }                                                                \
-    static Limits limits() { return qvgen::robots::name::Limits(); } \
+#define QVGEN_ARM_FUNCTIONS(name)                                        \
+  struct name {                                                          \
+    static constexpr const char* text = #name;                           \
+    template <class... Arguments>                                        \
+    static auto inverse(const Arguments&... arguments) {                 \
+      return qvgen::robots::name::inverse_kinematics(arguments...);      \
+    }                                                                    \
+    template <class... Arguments>                                        \
+    static auto near(const Arguments&... arguments) {                    \
+      return qvgen::robots::name::inverse_kinematics_near(arguments...); \
+    }                                                                    \
+    static qvgen::Pose<double> forward(const Joints& q) {                \
+      return qvgen::robots::name::forward_kinematics<double>(q);         \
+    }                                                                    \
+    static Limits limits() { return qvgen::robots::name::Limits(); }     \
   };
 QVGEN_ARM_FUNCTIONS(irb6640)
 QVGEN_ARM_FUNCTIONS(puma560)
@@ -111,6 +115,9 @@ Sums run(const std::string& call, const std::vector<Query>& all) {
         Counter{sums.rows}(found[0]);
     return sums;
   }
+  if (call == "near") return summed(all, [&](const Query& a) { return Arm::near(a.pose, a.seed); });
+  if (call == "near_limits")
+    return summed(all, [&](const Query& a) { return Arm::near(a.pose, a.seed, narrow); });
   if (call == "limits") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, narrow); });
   if (call == "wide") {
     Sums sums;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Limits as users have them: two turns on every joint of an arm with eight branches; little room next to
 // singular poses.
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
 #include <gtest/gtest.h>
+#include <qvgen/inverse/seed_branch.h>
 #include <qvgen/robots/irb6640.h>
 #include <qvgen/robots/puma560.h>
 #include <qvgen/robots/stanford.h>
@@ -176,6 +179,10 @@ class NearSingular {
     static auto inverse(const Arguments&... arguments) {                                     \
       return qvgen::robots::name::inverse_kinematics(arguments...);                          \
     }                                                                                        \
+    template <class... Arguments>                                                            \
+    static auto near(const Arguments&... arguments) {                                        \
+      return qvgen::robots::name::inverse_kinematics_near(arguments...);                     \
+    }                                                                                        \
     static auto one_by_one(const qvgen::Pose<double>& pose) {                                \
       return qvgen::robots::name::inverse_kinematics(pose, qvgen::robots::name::Geometry(),  \
                                                      qvgen::inverse::default_tolerance,      \
@@ -293,6 +300,48 @@ TYPED_TEST(LimitsNearSingularPoses, LanesChooseTheRowsOfAllSolutions) {
   EXPECT_GT(equal, 300);
 }
 
+/// Law: next to a seed that is no more than 0.3 rad away the row is the nearest of all solutions, which are
+/// followed one after the other, with the whole turns of the seed; within limits it is that row.
+TYPED_TEST(LimitsNearSingularPoses, NextToASeedIsTheNearestOfAll) {
+  using Arm = TypeParam;
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> angle(-2 * pi, 2 * pi);
+  int regular = 0, inside = 0;
+  for (int k = 0; k < 1000; ++k) {
+    typename Arm::Row q, seed;
+    for (int i = 0; i < Arm::dof; ++i) {
+      q[i] = angle(random);
+      seed[i] = q[i] + (k % 2 == 0 ? 0.02 : 1e-4) * angle(random);
+    }
+    const auto pose = Arm::forward(q);
+    const auto all = Arm::one_by_one(pose);
+    if (all.status != qvgen::Status::solved || all.effort.passes > 0) continue;
+    ++regular;
+    const auto distance = [&](const auto& row) {
+      double sum = 0;
+      for (int i = 0; i < Arm::dof; ++i) {
+        const double off = row.q[i] - seed[i];
+        sum += std::pow(Arm::revolute[static_cast<std::size_t>(i)] ? std::remainder(off, 2 * pi) : off, 2);
+      }
+      return sum;
+    };
+    const auto* nearest = std::min_element(
+        all.begin(), all.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    qvgen::Solutions<Arm::dof, 1> first;
+    qvgen::inverse::append(first, nearest->q, nearest->branch, false);
+    first.conclude();
+    qvgen::inverse::unwind(first, seed, Arm::revolute);
+    ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::near(pose, seed), first, "next to a seed"));
+    const auto limits = any_limits<Arm>(random);
+    const auto within = Arm::near(pose, seed, limits);
+    if (!qvgen::inverse::is_near_within(first, limits)) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_same_rows(within, first, "next to a seed within limits"));
+    ++inside;
+  }
+  EXPECT_GT(regular, 800);
+  EXPECT_GT(inside, 10);
+}
+
 /// Law: next to a singular wrist the joints that are the seed come first, whatever rounding makes of the row.
 TYPED_TEST(LimitsNearSingularPoses, TheSeedComesFirst) {
   using Arm = TypeParam;
@@ -302,9 +351,11 @@ TYPED_TEST(LimitsNearSingularPoses, TheSeedComesFirst) {
     const auto sample = samples.draw();
     if (is_doubly_singular<Arm>(sample.q)) continue;
     const auto found = Arm::inverse(Arm::forward(sample.q), sample.q);
-    ASSERT_FALSE(found.empty());
+    const auto near = Arm::near(Arm::forward(sample.q), sample.q);
+    ASSERT_FALSE(found.empty() || near.empty());
     ++asked;
     missing += qvgen::joint_distance<Arm::dof>(found[0].q, sample.q, Arm::revolute) > 2e-3 ? 1 : 0;
+    missing += qvgen::joint_distance<Arm::dof>(near[0].q, sample.q, Arm::revolute) > 2e-3 ? 1 : 0;
   }
   EXPECT_GT(asked, 1000);
   EXPECT_LE(missing, 2);

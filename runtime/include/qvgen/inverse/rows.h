@@ -27,7 +27,7 @@ struct WantedRows {
 /// How many numbers lanes keep of limits, and with rows until these have their order.
 constexpr std::size_t room_of_limits(int dof) { return 5 * static_cast<std::size_t>((dof + 3) / 4 * 4); }
 constexpr std::size_t room_of_wanted(int dof, int capacity) {
-  return room_of_limits(dof) + static_cast<std::size_t>((capacity + 3) / 4 * 4 * (dof + 2));
+  return room_of_limits(dof) + static_cast<std::size_t>((capacity + 3) / 4 * 4 * (dof + 3));
 }
 
 struct RowCount {

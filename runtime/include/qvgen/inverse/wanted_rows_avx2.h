@@ -37,8 +37,9 @@ namespace qvgen::inverse::avx2 {
   return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
 }
 
-/// Numbers of joints, four at a time, zeros behind the last one. They stand in the caller's room: in
-/// registers there is none for them, and an object that has them keeps everything else of it in memory too.
+/// Numbers of joints, four at a time; the last four overlap those before, and three joints or fewer have
+/// zeros behind them. They stand in the caller's room: in registers there is none for them, and an object
+/// that has them keeps everything else of it in memory too.
 template <int dof>
 class OfJoints {
  public:
@@ -48,24 +49,26 @@ class OfJoints {
   [[gnu::always_inline]] explicit OfJoints(double* room) : of_(room) {}
 
   [[gnu::always_inline]] static __m256d load(const double* numbers, int part) {
-    const int rest = dof - 4 * part;
-    if (rest >= 4) return _mm256_loadu_pd(numbers + 4 * part);
+    if constexpr (dof >= 4) return _mm256_loadu_pd(numbers + first(part));
     const __m256i index = _mm256_setr_epi64x(0, 1, 2, 3);
-    return _mm256_maskload_pd(numbers + 4 * part, _mm256_cmpgt_epi64(_mm256_set1_epi64x(rest), index));
+    return _mm256_maskload_pd(numbers, _mm256_cmpgt_epi64(_mm256_set1_epi64x(dof), index));
   }
   /// All bits where a joint is revolute.
   [[gnu::always_inline]] static __m256d revolute(const bool* is, int part) {
-    const int rest = dof - 4 * part;
     int bytes = 0;
-    std::memcpy(&bytes, is + 4 * part, rest < 4 ? static_cast<std::size_t>(rest) : 4);
+    std::memcpy(&bytes, is + first(part), dof < 4 ? static_cast<std::size_t>(dof) : 4);
     const __m256i ones = _mm256_cvtepi8_epi64(_mm_cvtsi32_si128(bytes));
     return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_setzero_si256(), ones));
   }
 
-  [[gnu::always_inline]] void set(int part, __m256d numbers) { _mm256_storeu_pd(of_ + 4 * part, numbers); }
+  [[gnu::always_inline]] void set(int part, __m256d numbers) { _mm256_storeu_pd(of_ + first(part), numbers); }
   [[gnu::always_inline]] Pack operator[](int joint) const { return Pack(_mm256_broadcast_sd(of_ + joint)); }
 
  private:
+  [[gnu::always_inline]] static int first(int part) {
+    return dof >= 4 && 4 * part > dof - 4 ? dof - 4 : 4 * part;
+  }
+
   double* of_;
 };
 
@@ -158,21 +161,73 @@ class LaneWithin {
   Numbers lower_, upper_, seed_, middle_, per_turn_;
 };
 
-/// Rows that wait for their places, four in each block: their joints, what stands behind these, and a key, by
-/// which they are put in order.
+/// Numbers by which rows are put in order, a lane for each: the bits of squares, which have the order of the
+/// numbers, since these are not negative. Rows that do not exist have the largest.
+using Keys = __m256i;
+
+[[gnu::always_inline]] inline Keys keys_of(const Pack::Truth& exists, const Pack& squares) {
+  const __m256i absent = _mm256_set1_epi64x(0x7fff'ffff'ffff'ffff);
+  return reinterpret_cast<Keys>(select(exists, squares, Pack(_mm256_castsi256_pd(absent))).vector());
+}
+
+/// Keys of which lane i has that of lane i + by; those that come from a lane in front of their own count as
+/// smaller by `less`.
+template <int by>
+[[gnu::always_inline]] inline Keys turned(const Keys& keys, long long less = 0) {
+  constexpr int order = by == 1 ? 0b00'11'10'01 : by == 2 ? 0b01'00'11'10 : 0b10'01'00'11;
+  return _mm256_sub_epi64(_mm256_permute4x64_epi64(keys, order),
+                          _mm256_setr_epi64x(0, by > 2 ? less : 0, by > 1 ? less : 0, less));
+}
+
+/// How many rows of a block of four stand before each of its own; of equal keys the earlier lane is first.
+[[gnu::always_inline]] inline __m256i places_among(const Keys& keys) {
+  const __m256i behind_next = _mm256_cmpgt_epi64(keys, turned<1>(keys, 1));
+  const __m256i behind_opposite = _mm256_cmpgt_epi64(keys, turned<2>(keys, 1));
+  const __m256i behind_previous = _mm256_cmpgt_epi64(keys, turned<3>(keys, 1));
+  return _mm256_sub_epi64(_mm256_setzero_si256(),
+                          _mm256_add_epi64(_mm256_add_epi64(behind_next, behind_opposite), behind_previous));
+}
+
+/// Adds to the places of two blocks how many rows of the other stand before each. Of equal keys the first
+/// block's row is first but, with `less` 1, where its lane is the later one.
+[[gnu::always_inline]] inline void place_apart(const Keys& first, const Keys& second, long long less,
+                                               __m256i& first_places, __m256i& second_places) {
+  const __m256i behind[4] = {
+      _mm256_cmpgt_epi64(first, second), _mm256_cmpgt_epi64(first, turned<1>(second, less)),
+      _mm256_cmpgt_epi64(first, turned<2>(second, less)), _mm256_cmpgt_epi64(first, turned<3>(second, less))};
+  const __m256i of_first =
+      _mm256_add_epi64(_mm256_add_epi64(behind[0], behind[1]), _mm256_add_epi64(behind[2], behind[3]));
+  const __m256i of_second = _mm256_add_epi64(_mm256_add_epi64(behind[0], turned<3>(behind[1])),
+                                             _mm256_add_epi64(turned<2>(behind[2]), turned<1>(behind[3])));
+  first_places = _mm256_sub_epi64(first_places, of_first);
+  second_places = _mm256_add_epi64(second_places, _mm256_add_epi64(of_second, _mm256_set1_epi64x(4)));
+}
+
+/// Rows that wait for their places, four in each block: their joints, what stands behind these, a key, by
+/// which they are put in order, and how many rows that are known stand before each.
 template <int dof>
 class WaitingRows {
  public:
   [[gnu::always_inline]] explicit WaitingRows(double* room) : room_(room) {}
 
-  /// Adds four rows, some of which exist, by their distance or else by their number.
+  /// Adds four rows, some of which exist, by their distance or else by their number, which is larger than
+  /// those of all rows that have been added.
   [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end, bool is_sorted) {
-    double* block = room_ + size * blocks_++;
-    for (int i = 0; i < dof; ++i) _mm256_storeu_pd(block + 4 * i, rows.q[i].vector());
-    _mm256_storeu_pd(block + 4 * dof, end.vector());
-    const Pack square = is_sorted ? rows.square : Pack(0.0);
-    const Pack key = select(rows.exists, square, Pack(_mm256_castsi256_pd(_mm256_set1_epi64x(absent))));
-    _mm256_storeu_pd(block + 4 * dof + 4, key.vector());
+    const Keys key = keys(rows, is_sorted);
+    __m256i places = places_among(key);
+    compare_with_earlier(key, places);
+    append(rows, end, key, places);
+  }
+  /// Adds eight rows, whose numbers alternate.
+  [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end, const FourRows<dof>& twins,
+                                  const Pack& twin_end, bool is_sorted) {
+    const Keys key = keys(rows, is_sorted), twin_key = keys(twins, is_sorted);
+    __m256i places = places_among(key), twin_places = places_among(twin_key);
+    place_apart(key, twin_key, 1, places, twin_places);
+    compare_with_earlier(key, places);
+    compare_with_earlier(twin_key, twin_places);
+    append(rows, end, key, places);
+    append(twins, twin_end, twin_key, twin_places);
   }
 
   /// Writes the rows by ascending keys, equal ones by branch, those that do not exist behind them.
@@ -180,38 +235,42 @@ class WaitingRows {
     // Unrolled these loops are longer than what the solution leaves of the decoder's cache.
 #pragma GCC unroll 1
     for (int block = 0; block < blocks_; ++block) {
-      const __m256i offsets = _mm256_mul_epu32(places_of(block), _mm256_set1_epi64x(stride));
+      const double* rows = room_ + size * block;
+      const __m256i offsets = _mm256_mul_epu32(integers(rows + places_at), _mm256_set1_epi64x(stride));
       const __m128i low = _mm256_castsi256_si128(offsets), high = _mm256_extracti128_si256(offsets, 1);
       double* const places[4] = {first + _mm_cvtsi128_si64(low), first + _mm_extract_epi64(low, 1),
                                  first + _mm_cvtsi128_si64(high), first + _mm_extract_epi64(high, 1)};
-      put(places, room_ + size * block);
+      put(places, rows);
     }
   }
 
  private:
-  static constexpr int size = 4 * (dof + 2);
-  static constexpr long long absent = 0x7fff'ffff'ffff'ffff;
+  static constexpr int key_at = 4 * (dof + 1), places_at = key_at + 4, size = places_at + 4;
 
-  /// How many rows stand before each of a block's. Numbers that are not negative have the order of their
-  /// bits; of equal keys the earlier branch counts as smaller by one.
-  [[gnu::always_inline]] __m256i places_of(int block) const {
-    const double* ends = room_ + 4 * dof;
-    const auto four = [&](const double* from) {
-      return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + size * block));
-    };
-    const __m256i end = four(ends), key = four(ends + 4);
-    __m256i places = _mm256_setzero_si256();
+  [[gnu::always_inline]] static __m256i integers(const double* from) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+  }
+  [[gnu::always_inline]] static Keys keys(const FourRows<dof>& rows, bool is_sorted) {
+    return keys_of(rows.exists, is_sorted ? rows.square : Pack(0.0));
+  }
+
+  [[gnu::always_inline]] void compare_with_earlier(const Keys& key, __m256i& places) const {
 #pragma GCC unroll 1
-    for (int other = 0; other < blocks_; ++other) {
-      for (int lane = 0; lane < 4; ++lane) {
-        const double* its = ends + size * other + lane;
-        const __m256i its_end = _mm256_castpd_si256(_mm256_broadcast_sd(its));
-        const __m256i its_key = _mm256_castpd_si256(_mm256_broadcast_sd(its + 4));
-        const __m256i counted = _mm256_add_epi64(its_key, _mm256_cmpgt_epi64(end, its_end));
-        places = _mm256_sub_epi64(places, _mm256_cmpgt_epi64(key, counted));
-      }
+    for (int block = 0; block < blocks_; ++block) {
+      double* its = room_ + size * block;
+      __m256i its_places = integers(its + places_at);
+      place_apart(integers(its + key_at), key, 0, its_places, places);
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(its + places_at), its_places);
     }
-    return places;
+  }
+
+  [[gnu::always_inline]] void append(const FourRows<dof>& rows, const Pack& end, const Keys& key,
+                                     const __m256i& places) {
+    double* block = room_ + size * blocks_++;
+    for (int i = 0; i < dof; ++i) _mm256_storeu_pd(block + 4 * i, rows.q[i].vector());
+    _mm256_storeu_pd(block + 4 * dof, end.vector());
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(block + key_at), key);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(block + places_at), places);
   }
 
   /// Two numbers of each row at a time.
@@ -259,16 +318,14 @@ class WantedLaneRows {
                                      const Branch<Pack>& branch, int label) {
     FourRows<dof> rows, twins;
     within_.take(Rows{q, branch, rows}, Rows{twin, branch, twins});
-    add(rows, row_end(branch, label, 2));
-    add(twins, row_end(branch, label + 1, 2));
+    add(rows, row_end(branch, label, 2), twins, row_end(branch, label + 1, 2));
     look_at(branch, 2);
   }
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch,
                                      const Pack (&other)[dof], const Branch<Pack>& other_branch, int label) {
     FourRows<dof> rows, others;
     within_.take(Rows{q, branch, rows}, Rows{other, other_branch, others});
-    add(rows, row_end(branch, label, 2));
-    add(others, row_end(other_branch, label + 1, 2));
+    add(rows, row_end(branch, label, 2), others, row_end(other_branch, label + 1, 2));
     look_at(branch, 1);
     look_at(other_branch, 1);
   }
@@ -279,6 +336,11 @@ class WantedLaneRows {
   [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end) {
     waiting_.add(rows, end, wanted_.is_sorted);
     rows_ += __builtin_popcount(bits(rows.exists));
+  }
+  [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end, const FourRows<dof>& others,
+                                  const Pack& other_end) {
+    waiting_.add(rows, end, others, other_end, wanted_.is_sorted);
+    rows_ += __builtin_popcount(bits(rows.exists)) + __builtin_popcount(bits(others.exists));
   }
   [[gnu::always_inline]] void look_at(const Branch<Pack>& branch, int rows) {
     const unsigned all = bits(branch.exists);
