@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/origin.h"
+#include "cli/path_forces.h"
 #include "cli/path_options.h"
 #include "cli/path_report.h"
 #include "cli/progress_line.h"
@@ -126,16 +127,6 @@ std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const 
   return joints;
 }
 
-/// Returns one number for each joint, from as many or from one.
-std::vector<double> for_each_joint(const std::string& option, const std::vector<double>& numbers,
-                                   std::size_t count) {
-  if (numbers.size() == 1) return std::vector<double>(count, numbers.front());
-  if (numbers.size() != count)
-    throw UsageError(
-        fmt::format("{} has {} numbers: one, or one for each of {} joints", option, numbers.size(), count));
-  return numbers;
-}
-
 void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
   const auto accelerations = for_each_joint("--time", arguments.accelerations, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) joints[k].acceleration = accelerations[k];
@@ -151,6 +142,10 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   task.joints = all_joints(arguments, robot);
   task.least_times = !arguments.accelerations.empty();
   if (task.least_times) set_rates(arguments, task.joints);
+  if (!arguments.joint_torques.empty()) {
+    set_forces(arguments, robot, task.joints);
+    task.bearing = task.joints;
+  }
   const std::size_t count = task.joints.size();
   if (!arguments.held.empty()) {
     const auto [name, value] = named("--hold", arguments.held);

@@ -45,6 +45,11 @@ Motion motion_of(const ordered_json& json) {
     motion.proof->narrowest = json.at("proof").at("narrowest");
   }
   if (json.contains("least_time")) motion.least_time = number_of(json.at("least_time"));
+  if (json.contains("overload")) {
+    const ordered_json& overload = json.at("overload");
+    motion.overload =
+        Overload{overload.at("joint"), overload.at("s"), overload.at("force"), overload.at("sure")};
+  }
   motion.limit_distance = extreme_of(json.at("limit_distance"));
   motion.regularity = extreme_of(json.at("regularity"));
   motion.speed = extreme_of(json.at("speed"));

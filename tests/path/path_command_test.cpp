@@ -129,6 +129,24 @@ TEST_F(PathCommand, LeastTimesKeepTheSpeeds) {
   EXPECT_GT(compared, 30);
 }
 
+/// Compiles a program of its own: with QVGEN_PROOFS.
+TEST_F(PathCommand, TorquesLimitTheLeastTime) {
+  if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
+  write("seam.csv", seam(100));
+  const auto seconds = [&](const std::string& torques) {
+    const ToolRun result = follow("puma560 seam.csv --time inf --joint-speeds 3 --joint-torques " + torques);
+    EXPECT_EQ(result.code, 0) << result.output;
+    const std::size_t place = result.output.find("the fastest along the whole path is motion");
+    return place == std::string::npos
+               ? -1
+               : std::strtod(result.output.c_str() + result.output.find(": ", place) + 2, nullptr);
+  };
+  EXPECT_GT(seconds("80,80,40,5,5,1"), seconds("800,800,400,50,50,10") + 0.01);
+  const ToolRun result = follow("puma560 seam.csv --time 6 --joint-torques 60,3,60,5,5,1");
+  EXPECT_TRUE(has(result, "none: theta2 bears ")) << result.output;
+  EXPECT_TRUE(has(result, " of 3 N m at rest at ")) << result.output;
+}
+
 TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
   write("seam.csv", seam(100));
   for (const std::string way : {"--spline", "--blend 0.005"}) {
@@ -180,6 +198,12 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --time 1,2", 2, "one for each of 6 joints");
   expect("ur5 good.csv --time 0", 2, "--time");
   expect("ur5 good.csv --joint-speeds 1", 2, "--time");
+  expect("ur5 good.csv --joint-torques 1", 2, "--time");
+  expect("ur5 good.csv --time 6 --joint-torques 1,2", 2, "one for each of 6 joints");
+  expect("ur5 good.csv --time 6 --joint-torques -1", 2, "above zero");
+  expect("ur5 good.csv --time 6 --joint-torques 100", 1, "no value for m1");
+  expect("crx10ia good.csv --time 6 --joint-torques 100", 1, "no masses");
+  expect("puma560 good.csv --time 6 --joint-torques description", 1, "no effort limits");
   expect("ur5 good.csv --prove --free tool_z", 2, "--free");
   expect("ur5 good.csv --prove --spline", 2, "--spline");
   expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");
