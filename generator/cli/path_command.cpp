@@ -15,6 +15,7 @@
 #include "cli/progress_line.h"
 #include "cli/suggestion.h"
 #include "path/free.h"
+#include "path/page.h"
 #include "path/result.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
@@ -29,11 +30,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180;
 
 void check_outputs(const PathArguments& arguments) {
-  constexpr std::array<const char*, 3> suffixes{".csv", ".json", ".svg"};
+  constexpr std::array<const char*, 4> suffixes{".csv", ".json", ".svg", ".html"};
   for (const fs::path& output : arguments.outputs)
     if (std::find(suffixes.begin(), suffixes.end(), output.extension()) == suffixes.end())
-      throw UsageError(
-          fmt::format("'{}' has no suffix that says what to write: .csv, .json or .svg", output.string()));
+      throw UsageError(fmt::format("'{}' has no suffix that says what to write: .csv, .json, .svg or .html",
+                                   output.string()));
 }
 
 /// A number with an optional unit behind it; throws UsageError.
@@ -250,6 +251,8 @@ int follow_all(const PathArguments& arguments, const description::ReadResult& de
     if (output.extension() == ".json") write(output, json_text(robot, task, json));
     if (output.extension() == ".svg")
       write(output, path::picture_of(result, task, title_of(arguments, robot)));
+    if (output.extension() == ".html")
+      write(output, path::page_of(robot, result, task, title_of(arguments, robot)));
   }
   fmt::print("{}", path_text(result, task, poses, robot.name));
   return success;
@@ -269,6 +272,8 @@ int follow_best(const PathArguments& arguments, const description::ReadResult& d
     if (output.extension() == ".json") write(output, path::json_of(motion, task, robot.name).dump(1) + "\n");
     if (output.extension() == ".svg")
       write(output, path::picture_of(motion, task, title_of(arguments, robot)));
+    if (output.extension() == ".html")
+      write(output, path::page_of(robot, motion, task, title_of(arguments, robot)));
   }
   fmt::print("{}", free_text(motion, task, poses, robot.name));
   return motion.followed >= static_cast<double>(motion.samples) - 1 ? success : failure;

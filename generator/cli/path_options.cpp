@@ -33,8 +33,8 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->required();
   command
       .add_option("-o,--output", arguments.outputs,
-                  "file to write: .csv (the motions at the poses), .json (everything) or .svg (each joint "
-                  "along the path); may be repeated")
+                  "file to write: .csv (the motions at the poses), .json (everything), .svg (each joint "
+                  "along the path) or .html (a page on which the arm moves along it); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
   command

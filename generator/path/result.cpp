@@ -54,8 +54,10 @@ Motion motion_of(const ordered_json& json) {
   motion.regularity = extreme_of(json.at("regularity"));
   motion.speed = extreme_of(json.at("speed"));
   motion.acceleration = extreme_of(json.at("acceleration"));
-  for (const auto& place : json.at("curve"))
+  for (const auto& place : json.at("curve")) {
     motion.curve.emplace_back(place.at(0), place.at(1).get<std::vector<double>>());
+    if (motion.least_time) motion.curve_times.push_back(place.at(2));
+  }
   return motion;
 }
 

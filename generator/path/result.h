@@ -53,6 +53,7 @@ struct Motion {
   std::optional<double> least_time;                           ///< s
   std::optional<Overload> overload;                           ///< why there is no least time
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
+  std::vector<double> curve_times;                            ///< s, there; empty without least times
 };
 
 /// Stretches on which the proof cannot exclude another motion.

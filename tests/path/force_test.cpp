@@ -58,7 +58,7 @@ double seconds_of_lift(double length, double most, double coulomb, int count) {
   std::vector<Joints<1>> q;
   for (int i = 0; i < count; ++i) q.emplace_back(length * i / (count - 1));
   std::vector<Timing<1, 1>::Point> points(q.size());
-  const RateLimits<1> rates{Joints<1>::Constant(1e9), Joints<1>::Constant(1e9)};
+  const path::RateLimits<1> rates{Joints<1>::Constant(1e9), Joints<1>::Constant(1e9)};
   Timing<1, 1> timing(q.data(), q.size(), rates, points.data());
   EXPECT_TRUE(timing.lay());
   std::vector<ForceBounds<1>> bounds(q.size());
@@ -150,7 +150,7 @@ template <class Dynamics>
 void expect_limits_kept(const Dynamics& dynamics, const std::string& robot, int count, double friction) {
   std::mt19937 random(21);
   const reference::Chain chain = chain_of(robot);
-  const RateLimits<6> rates{Values::Constant(2.5), Values::Constant(1e6)};
+  const path::RateLimits<6> rates{Values::Constant(2.5), Values::Constant(1e6)};
   for (int trial = 0; trial < 4; ++trial) {
     SCOPED_TRACE(trial);
     const std::vector<Values> way = random_way(random, count);
@@ -185,7 +185,7 @@ TEST(PathForces, BoundsHoldOnTheWholeStretch) {
   for (const int count : {6, 30}) {
     const std::vector<Values> way = random_way(random, count);
     std::vector<Timing<6>::Point> points(way.size());
-    const RateLimits<6> rates{Values::Constant(1), Values::Constant(1)};
+    const path::RateLimits<6> rates{Values::Constant(1), Values::Constant(1)};
     Timing<6> timing(way.data(), way.size(), rates, points.data());
     ASSERT_TRUE(timing.lay());
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -229,7 +229,7 @@ TEST(PathForces, AnOverloadBetweenThePointsIsNamed) {
   ASSERT_GT(most, 1.02 * at_points);
   ForceLimits<6> limits;
   limits.most[1] = 0.5 * (most + at_points);
-  const RateLimits<6> rates{Values::Constant(2), Values::Constant(9)};
+  const path::RateLimits<6> rates{Values::Constant(2), Values::Constant(9)};
   const LeastTimes over = LeastTime<Puma>(Puma(), rates, limits).run({0, 1, 2}, way);
   EXPECT_FALSE(std::isfinite(over.seconds));
   EXPECT_EQ(over.overload.joint, 1);
@@ -258,11 +258,11 @@ TEST(PathForces, FrictionIsFoundFromForces) {
 
 TEST(PathForces, OddInputGetsAnAnswer) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const RateLimits<6> rates{Values::Constant(2), Values::Constant(inf)};
+  const path::RateLimits<6> rates{Values::Constant(2), Values::Constant(inf)};
   ForceLimits<6> limits;
   limits.most.setConstant(200);
   const Values a = Values::Zero(), b = Values::Constant(0.3);
-  const auto seconds = [&](const std::vector<Values>& way, const RateLimits<6>& fastest) {
+  const auto seconds = [&](const std::vector<Values>& way, const path::RateLimits<6>& fastest) {
     return LeastTime<Puma>(Puma(), fastest, limits).run(places_of(way), way).seconds;
   };
   EXPECT_EQ(seconds({a}, rates), 0);
@@ -270,7 +270,7 @@ TEST(PathForces, OddInputGetsAnAnswer) {
   EXPECT_GT(seconds({a, b}, rates), 0);
   EXPECT_NEAR(seconds({a, b}, rates), seconds({a, a, b, b}, rates), 1e-9);
   EXPECT_TRUE(std::isnan(seconds({a, Values::Constant(nan)}, rates)));
-  const RateLimits<6> none{Values::Constant(inf), Values::Constant(inf)};
+  const path::RateLimits<6> none{Values::Constant(inf), Values::Constant(inf)};
   EXPECT_GT(seconds({a, b}, none), 0);
   limits.most.setConstant(inf);
   EXPECT_TRUE(std::isnan(seconds({a, b}, none)));

@@ -39,7 +39,7 @@ class PathCommand : public CommandLine {
 
 TEST_F(PathCommand, AReachablePathIsFollowedAllTheWay) {
   write("seam.csv", seam(100));
-  const ToolRun result = follow("ur5 seam.csv -o motions.csv -o motions.json -o motions.svg");
+  const ToolRun result = follow("ur5 seam.csv -o motions.csv -o motions.json -o motions.svg -o motions.html");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "ur5: 41 poses")) << result.output;
   EXPECT_TRUE(has(result, "joints that follow the whole path from its start")) << result.output;
@@ -47,6 +47,7 @@ TEST_F(PathCommand, AReachablePathIsFollowedAllTheWay) {
   EXPECT_NE(read("motions.csv").find("\n1,40,4,"), std::string::npos);
   EXPECT_NE(read("motions.json").find("\"robot\": \"ur5\""), std::string::npos);
   EXPECT_NE(read("motions.svg").find("<polyline"), std::string::npos);
+  EXPECT_NE(read("motions.html").find("id=\"path-data\""), std::string::npos);
 }
 
 TEST_F(PathCommand, APathThatLeavesTheReachEndsThere) {
@@ -190,7 +191,7 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   };
   expect("ur5 nan.csv -o out.csv", 1, "nan.csv:3");
   expect("ur5 none.csv", 1, "none.csv");
-  expect("ur5 good.csv -o out.txt", 2, ".csv, .json or .svg");
+  expect("ur5 good.csv -o out.txt", 2, ".csv, .json, .svg or .html");
   expect("ur5 good.csv --limit theta9=0:1", 2, "there is no joint");
   expect("ur5 good.csv --limit theta1=1:0", 2, "above the upper one");
   expect("scara good.csv", 1, "six");

@@ -169,6 +169,14 @@ class Found {
     if (motion.end.s > motion.begin.s) take(motion.end.s, motion.end.q);
   }
 
+  /// Calls with the first and the last place, and some between.
+  template <class Take>
+  static void for_some(const std::vector<TimedPlace>& places, const Take& take) {
+    const std::size_t stride = places.size() / most_drawn + 1;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (i % stride == 0 || i + 1 == places.size()) take(places[i]);
+  }
+
   [[nodiscard]] bool has_times() const { return request_.is_timed || !request_.times.empty(); }
 
   [[nodiscard]] LeastTimes times_of(const Motion& motion, const Dynamics& dynamics) const {
@@ -221,10 +229,16 @@ class Found {
     write_extreme("acceleration", review.acceleration);
     std::printf(",\"travel\":%s,\"curve\":[", json::text(review.travel).c_str());
     const char* separator = "";
-    for_each_place(motion, request_.samples.size() / most_drawn + 1, [&](double s, const Values& q) {
-      std::printf("%s[%s,%s]", separator, json::text(s).c_str(), json::text(q).c_str());
+    const auto write = [&](double s, const Values& q, const std::string& time) {
+      std::printf("%s[%s,%s%s]", separator, json::text(s).c_str(), json::text(q).c_str(), time.c_str());
       separator = ",";
-    });
+    };
+    if (request_.is_timed)
+      for_some(times_[number].places,
+               [&](const TimedPlace& place) { write(place.s, place.q, "," + json::text(place.time)); });
+    else
+      for_each_place(motion, request_.samples.size() / most_drawn + 1,
+                     [&](double s, const Values& q) { write(s, q, ""); });
     std::printf("]}");
   }
 
