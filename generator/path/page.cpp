@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What is drawn besides joints of the arm.
+/// Parts of a picture besides the joints that move.
 struct Extras {
   std::optional<HeldJoint> held;
   std::optional<std::size_t> rail;  ///< axis along which the base goes by the last value: 0 to 2
