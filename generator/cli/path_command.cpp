@@ -131,6 +131,10 @@ std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const 
 void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
   const auto accelerations = for_each_joint("--time", arguments.accelerations, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) joints[k].acceleration = accelerations[k];
+  const auto jerks = arguments.joint_jerks.empty()
+                         ? std::vector<double>(joints.size(), infinity)
+                         : for_each_joint("--joint-jerks", arguments.joint_jerks, joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) joints[k].jerk = jerks[k];
   if (arguments.joint_speeds.empty()) return;
   const auto speeds = for_each_joint("--joint-speeds", arguments.joint_speeds, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) joints[k].speed = speeds[k];
@@ -143,6 +147,7 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   task.joints = all_joints(arguments, robot);
   task.least_times = !arguments.accelerations.empty();
   if (task.least_times) set_rates(arguments, task.joints);
+  task.jerks = !arguments.joint_jerks.empty();
   if (!arguments.joint_torques.empty()) {
     set_forces(arguments, robot, task.joints);
     task.bearing = task.joints;

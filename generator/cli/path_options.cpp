@@ -110,13 +110,24 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->needs("--time");
   command
       .add_option(
+          "--joint-jerks", arguments.joint_jerks,
+          "for --time: the largest jerks of the joints, rad/s^3 or m/s^3, likewise; the time is near the "
+          "least one")
+      ->type_name("JERKS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->needs("--time");
+  command
+      .add_option(
           "--joint-torques", arguments.joint_torques,
           "for --time: the largest torques or forces of the joints, N m or N, likewise, or 'description' for "
           "those that it states; the arm's masses and friction are taken into account")
       ->type_name("TORQUES")
       ->allow_extra_args(false)
       ->delimiter(',')
-      ->needs("--time");
+      ->needs("--time")
+      ->excludes("--joint-jerks");
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
       ->type_name("SPEED")
       ->check(CLI::PositiveNumber);

@@ -95,6 +95,8 @@ ordered_json follow(const programs::Program& program, const Task& task, const Po
   for (const MovingJoint& joint : task.joints)
     if (task.least_times) words.push_back(hexadecimal(joint.acceleration));
   for (const MovingJoint& joint : task.bearing) words.push_back(hexadecimal(joint.force));
+  for (const MovingJoint& joint : task.joints)
+    if (task.jerks) words.push_back(hexadecimal(joint.jerk));
   return run_with_poses(program, words, poses);
 }
 

@@ -100,6 +100,7 @@ class PathPlayer {
 
   choose(i) {
     this.chosen = i;
+    this.at("motion").value = i;
     for (const curve of this.map.querySelectorAll("[data-motion]")) curve.setAttribute("opacity", Number(curve.dataset.motion) === i ? 1 : 0.25);
     const { s } = this.data.motions[i];
     this.moveTo(Math.min(Math.max(this.s, s[0]), s[s.length - 1]));

@@ -130,6 +130,22 @@ TEST_F(PathCommand, LeastTimesKeepTheSpeeds) {
   EXPECT_GT(compared, 30);
 }
 
+TEST_F(PathCommand, JerksSlowTheMotionDown) {
+  write("seam.csv", seam(100));
+  const auto seconds = [&](const std::string& more) {
+    const ToolRun result = follow("ur5 seam.csv --time 6 --joint-speeds 1.5" + more);
+    EXPECT_EQ(result.code, 0) << result.output;
+    const std::size_t place = result.output.find("the fastest along the whole path is motion");
+    return place == std::string::npos
+               ? -1
+               : std::strtod(result.output.c_str() + result.output.find(": ", place) + 2, nullptr);
+  };
+  const double without = seconds("");
+  EXPECT_GT(seconds(" --joint-jerks 60"), 1.001 * without);
+  EXPECT_LT(seconds(" --joint-jerks 60"), 1.5 * without);
+  EXPECT_GT(seconds(" --joint-jerks 5"), 1.5 * without);
+}
+
 /// Compiles a program of its own: with QVGEN_PROOFS.
 TEST_F(PathCommand, TorquesLimitTheLeastTime) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
@@ -200,6 +216,9 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --time 0", 2, "--time");
   expect("ur5 good.csv --joint-speeds 1", 2, "--time");
   expect("ur5 good.csv --joint-torques 1", 2, "--time");
+  expect("ur5 good.csv --joint-jerks 1", 2, "--time");
+  expect("ur5 good.csv --time 6 --joint-jerks 1,2", 2, "one for each of 6 joints");
+  expect("ur5 good.csv --time 6 --joint-jerks 9 --joint-torques 9", 2, "--joint-jerks");
   expect("ur5 good.csv --time 6 --joint-torques 1,2", 2, "one for each of 6 joints");
   expect("ur5 good.csv --time 6 --joint-torques -1", 2, "above zero");
   expect("ur5 good.csv --time 6 --joint-torques 100", 1, "no value for m1");

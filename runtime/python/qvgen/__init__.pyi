@@ -246,6 +246,7 @@ class Robot(Protocol):
         prefer: ArrayLike | None = None, prove: bool = False, time: ArrayLike | None = None,
         joint_speeds: ArrayLike | None = None, spline: bool = False, blend: float | None = None,
         free_range: tuple[float, float] | None = None, joint_torques: ArrayLike | Literal["description"] | None = None,
+        joint_jerks: ArrayLike | None = None,
     ) -> Paths: ...
     def plot(self, q: ArrayLike, *, axes: Any = None) -> Any: ...  # axes of matplotlib
     def show(self, *, browser: bool = True) -> Page: ...

@@ -39,7 +39,8 @@ class Paths(typing.NamedTuple):
 
 
 def paths(source, robot, poses, *, free=None, hold=None, limits="description", times=None, screw=False, prefer=None,
-          prove=False, time=None, joint_speeds=None, spline=False, blend=None, free_range=None, joint_torques=None):
+          prove=False, time=None, joint_speeds=None, spline=False, blend=None, free_range=None, joint_torques=None,
+          joint_jerks=None):
     """Every continuous motion of the joints that follows poses, (n, 7): w x y z, then metres.
 
     `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
@@ -49,7 +50,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
     `prove`: each motion is proven, and that there is no other. `time`: largest joint accelerations, rad/s^2 or m/s^2, one or
     one for each: each motion gets its least times, from rest to rest, under these and the joints' speeds, the description's or
     `joint_speeds`, with rows between the poses. `joint_torques`: the largest ones too, N m or N, one or one for each, or
-    "description". Raises ValueError with what is wrong with the path or the arm.
+    "description". `joint_jerks`: the largest ones too, rad/s^3 or m/s^3; not beside torques. Raises ValueError with what is wrong with the path or the arm.
     """
     description, *options = source
     with tempfile.TemporaryDirectory() as folder:
@@ -60,6 +61,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         command += ["--spline"] * bool(spline) + _numbers("--blend", blend)
         command += [] if free_range is None else [f"--range={float(free_range[0])!r}:{float(free_range[1])!r}"]
         command += _numbers("--time", time) + _numbers("--joint-speeds", joint_speeds)
+        command += _numbers("--joint-jerks", joint_jerks)
         by_description = isinstance(joint_torques, str)
         command += [f"--joint-torques={joint_torques}"] if by_description else _numbers("--joint-torques", joint_torques)
         command += [] if free else ["-o", folder / "out.json"]

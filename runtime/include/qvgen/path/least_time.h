@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <qvgen/path/arm.h>
+#include <qvgen/path/jerk.h>
 #include <qvgen/path/time.h>
 
 /// Least times along one motion, for the program of paths. Points are added on the spline, since the motion's
@@ -48,6 +49,9 @@ class LeastTime {
   LeastTime(const Dynamics& dynamics, const RateLimits<6>& rates, const ForceLimits<forces>& limits)
       : dynamics_(dynamics), rates_(rates), limits_(limits) {}
 
+  /// Limits joint jerks, rad/s^3 or m/s^3. Only without limits of forces.
+  void limit_jerks(const Values& jerks) { jerks_ = jerks; }
+
   /// Returns the times of the motion through the joints `q` at path coordinates `s`.
   LeastTimes run(const std::vector<double>& s, const std::vector<Values>& q) {
     take_points(s, q);
@@ -64,7 +68,7 @@ class LeastTime {
       least.overload = refine();
       if (least.overload.joint < 0) least.seconds = plan();
     } else {
-      least.seconds = plan();
+      least.seconds = jerks_.allFinite() ? smooth(plan()) : plan();
     }
     const bool is_timed = std::isfinite(least.seconds);
     for (std::size_t i = 0; i < q_.size(); ++i)
@@ -105,6 +109,18 @@ class LeastTime {
     Time time = timing();
     if constexpr (forces > 0) time.limit_forces(limits_, bounds_.data());
     return time.plan();
+  }
+
+  /// Smooths the motion that was planned, and sets the points' times; returns that of all.
+  double smooth(double fastest) {
+    std::vector<double> ways(q_.size()), integrals(q_.size()), times;
+    const Timing<6> time(q_.data(), q_.size(), rates_, points_.data());
+    Smoothing<6> smoothing(time, points_.data(), q_.size(), rates_, jerks_, ways.data(), integrals.data());
+    const double seconds = smoothing.run(fastest);
+    if (!(seconds > 0)) return seconds;
+    for (std::size_t i = 0; i < q_.size(); ++i) times.push_back(smoothing.time_of(i));
+    for (std::size_t i = 0; i < q_.size(); ++i) points_[i].time = times[i];
+    return seconds;
   }
 
   /// Bounds the forces on some stretches; tangents stay.
@@ -253,6 +269,7 @@ class LeastTime {
   const Dynamics& dynamics_;
   RateLimits<6> rates_;
   ForceLimits<forces> limits_;
+  Values jerks_ = Values::Constant(std::numeric_limits<double>::infinity());
   std::vector<Values> q_;
   std::vector<std::vector<double>> at_;  ///< path coordinates of each point
   std::vector<Point> points_;

@@ -30,6 +30,7 @@ struct Request {
   bool is_timed = false;  ///< the least time of each motion is wanted
   RateLimits<6> rates{};
   std::vector<double> forces;     ///< largest ones of all joints, N m or N; empty without
+  std::vector<double> jerks;      ///< largest ones, rad/s^3 or m/s^3; empty without
   const char* motions = nullptr;  ///< the CSV's file
 };
 
@@ -191,7 +192,9 @@ class Found {
       std::copy_n(request_.forces.begin(), Dynamics::forces, limits.most.begin());
       add_friction([&](const auto& qd) { return dynamics.friction(qd); }, limits);
     }
-    return LeastTime<Dynamics>(dynamics, request_.rates, limits).run(s, q);
+    LeastTime<Dynamics> least(dynamics, request_.rates, limits);
+    if (!request_.jerks.empty()) least.limit_jerks(Values(Eigen::Map<const Values>(request_.jerks.data())));
+    return least.run(s, q);
   }
 
   void write_row(std::FILE* to, std::size_t motion, double s, double time, const Values& q) const {
@@ -327,7 +330,8 @@ class Found {
 
 /// Arguments: the file of samples, the way between them (`read_between`), the file of motions or "-", the
 /// value of the joint that is held (0 without), six lower and six upper limits, and, for least times, six
-/// speeds, six accelerations and, where `dynamics_of` gives any, the largest forces of all joints. `arm_of`
+/// speeds, six accelerations, the largest forces of all joints where `dynamics_of` has any, and, if wanted
+/// where it has none, six jerks. `arm_of`
 /// makes the arm from the value that is held, `bounds_of` its bounds for proofs, `dynamics_of` its dynamics.
 template <class ArmOf, class BoundsOf, class DynamicsOf>
 int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of,
@@ -335,7 +339,8 @@ int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const Bo
   const double held = argc > 4 ? std::strtod(argv[4], nullptr) : 0;
   const auto dynamics = dynamics_of(held);
   constexpr int forces = std::decay_t<decltype(dynamics)>::forces;
-  if (argc != 17 && argc != 29 + forces) return 2;
+  const bool has_jerks = forces == 0 && argc == 35;
+  if (argc != 17 && argc != 29 + forces && !has_jerks) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
   read_between(argv[2], request);
@@ -348,7 +353,8 @@ int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const Bo
     request.rates.speed[i] = std::strtod(argv[17 + i], nullptr);
     request.rates.acceleration[i] = std::strtod(argv[23 + i], nullptr);
   }
-  for (int i = 29; i < argc; ++i) request.forces.push_back(std::strtod(argv[i], nullptr));
+  for (int i = 29; i < argc; ++i)
+    (has_jerks ? request.jerks : request.forces).push_back(std::strtod(argv[i], nullptr));
   const auto arm = arm_of(held);
   const auto bounds = bounds_of(held);
   Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(bounds)>, std::decay_t<decltype(dynamics)>> found(
