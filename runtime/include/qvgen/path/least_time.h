@@ -49,7 +49,7 @@ class LeastTime {
   LeastTime(const Dynamics& dynamics, const RateLimits<6>& rates, const ForceLimits<forces>& limits)
       : dynamics_(dynamics), rates_(rates), limits_(limits) {}
 
-  /// Limits joint jerks, rad/s^3 or m/s^3. Only without limits of forces.
+  /// Limits joint jerks, rad/s^3 or m/s^3, infinite for none. Only without limits of forces.
   void limit_jerks(const Values& jerks) { jerks_ = jerks; }
 
   /// Returns the times of the motion through the joints `q` at path coordinates `s`.
@@ -68,7 +68,7 @@ class LeastTime {
       least.overload = refine();
       if (least.overload.joint < 0) least.seconds = plan();
     } else {
-      least.seconds = jerks_.allFinite() ? smooth(plan()) : plan();
+      least.seconds = jerks_.minCoeff() < std::numeric_limits<double>::infinity() ? smooth(plan()) : plan();
     }
     const bool is_timed = std::isfinite(least.seconds);
     for (std::size_t i = 0; i < q_.size(); ++i)
@@ -172,7 +172,8 @@ class LeastTime {
     const Point& point = points_[i];
     const double end = point.w + 2 * point.u * point.length;
     const auto& error = bounds_[i].error;
-    const auto force = error.by_u * std::abs(point.u) + error.by_w * std::max(point.w, end) + error.rest;
+    const typename ForceLimits<forces>::Vector force =
+        error.by_u * std::abs(point.u) + error.by_w * std::max(point.w, end) + error.rest;
     return force.cwiseQuotient(limits_.most).maxCoeff();
   }
 
