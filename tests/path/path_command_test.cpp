@@ -177,13 +177,14 @@ TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
 TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
   write("seam.csv", seam(900));
-  const ToolRun result =
-      follow("ur5 seam.csv --free rail_x --range 0:1 -o motion.csv -o motion.json -o motion.svg");
+  const ToolRun result = follow(
+      "ur5 seam.csv --free rail_x --range 0:1 -o motion.csv -o motion.json -o motion.svg -o motion.html");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "the motion follows the whole path")) << result.output;
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
   EXPECT_NE(read("motion.json").find("\"free\": \"rail_x\""), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
+  EXPECT_NE(read("motion.html").find("\"rail\":0"), std::string::npos);
 }
 
 /// Compiles a program of its own, half a minute: with QVGEN_PROOFS.
