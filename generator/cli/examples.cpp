@@ -80,6 +80,7 @@ const char* const path_examples = R"(
   qvgen path ur5 seam.csv -o motions.csv -o motions.svg   joints at the poses, and a picture
   qvgen path arm.urdf seam.csv --speed 0.1    with the largest joint speeds, the tool going 0.1 m/s
   qvgen path ur5 seam.csv --limit theta1=-170:170deg --limit theta6=-360:360deg
+  qvgen path arm.urdf seam.csv --time 10 --joint-torques description   the least time, within the effort limits too
   qvgen path iiwa14 seam.csv --hold theta3=0  seven joints, the third of which stays
   qvgen path ur5 weld.csv --free tool_z -o motion.csv   the best motion, the tool turning about its z as it likes
   qvgen path iiwa14 seam.csv --free arm_angle -o motion.csv   likewise, the elbow where it is best

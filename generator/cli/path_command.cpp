@@ -9,11 +9,13 @@
 
 #include "cli/commands.h"
 #include "cli/origin.h"
+#include "cli/path_forces.h"
 #include "cli/path_options.h"
 #include "cli/path_report.h"
 #include "cli/progress_line.h"
 #include "cli/suggestion.h"
 #include "path/free.h"
+#include "path/page.h"
 #include "path/result.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
@@ -28,11 +30,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180;
 
 void check_outputs(const PathArguments& arguments) {
-  constexpr std::array<const char*, 3> suffixes{".csv", ".json", ".svg"};
+  constexpr std::array<const char*, 4> suffixes{".csv", ".json", ".svg", ".html"};
   for (const fs::path& output : arguments.outputs)
     if (std::find(suffixes.begin(), suffixes.end(), output.extension()) == suffixes.end())
-      throw UsageError(
-          fmt::format("'{}' has no suffix that says what to write: .csv, .json or .svg", output.string()));
+      throw UsageError(fmt::format("'{}' has no suffix that says what to write: .csv, .json, .svg or .html",
+                                   output.string()));
 }
 
 /// A number with an optional unit behind it; throws UsageError.
@@ -126,19 +128,13 @@ std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const 
   return joints;
 }
 
-/// Returns one number for each joint, from as many or from one.
-std::vector<double> for_each_joint(const std::string& option, const std::vector<double>& numbers,
-                                   std::size_t count) {
-  if (numbers.size() == 1) return std::vector<double>(count, numbers.front());
-  if (numbers.size() != count)
-    throw UsageError(
-        fmt::format("{} has {} numbers: one, or one for each of {} joints", option, numbers.size(), count));
-  return numbers;
-}
-
 void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
   const auto accelerations = for_each_joint("--time", arguments.accelerations, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) joints[k].acceleration = accelerations[k];
+  const auto jerks = arguments.joint_jerks.empty()
+                         ? std::vector<double>(joints.size(), infinity)
+                         : for_each_joint("--joint-jerks", arguments.joint_jerks, joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) joints[k].jerk = jerks[k];
   if (arguments.joint_speeds.empty()) return;
   const auto speeds = for_each_joint("--joint-speeds", arguments.joint_speeds, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) joints[k].speed = speeds[k];
@@ -151,6 +147,11 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   task.joints = all_joints(arguments, robot);
   task.least_times = !arguments.accelerations.empty();
   if (task.least_times) set_rates(arguments, task.joints);
+  task.jerks = !arguments.joint_jerks.empty();
+  if (!arguments.joint_torques.empty()) {
+    set_forces(arguments, robot, task.joints);
+    task.bearing = task.joints;
+  }
   const std::size_t count = task.joints.size();
   if (!arguments.held.empty()) {
     const auto [name, value] = named("--hold", arguments.held);
@@ -255,6 +256,8 @@ int follow_all(const PathArguments& arguments, const description::ReadResult& de
     if (output.extension() == ".json") write(output, json_text(robot, task, json));
     if (output.extension() == ".svg")
       write(output, path::picture_of(result, task, title_of(arguments, robot)));
+    if (output.extension() == ".html")
+      write(output, path::page_of(robot, result, task, title_of(arguments, robot)));
   }
   fmt::print("{}", path_text(result, task, poses, robot.name));
   return success;
@@ -274,6 +277,8 @@ int follow_best(const PathArguments& arguments, const description::ReadResult& d
     if (output.extension() == ".json") write(output, path::json_of(motion, task, robot.name).dump(1) + "\n");
     if (output.extension() == ".svg")
       write(output, path::picture_of(motion, task, title_of(arguments, robot)));
+    if (output.extension() == ".html")
+      write(output, path::page_of(robot, motion, task, title_of(arguments, robot)));
   }
   fmt::print("{}", free_text(motion, task, poses, robot.name));
   return motion.followed >= static_cast<double>(motion.samples) - 1 ? success : failure;

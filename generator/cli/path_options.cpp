@@ -5,6 +5,16 @@
 #include "cli/reading_options.h"
 
 namespace qvgen::cli {
+namespace {
+
+/// Checks a number above zero, infinity too.
+std::string positive_or_infinite(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return *end == '\0' && value > 0 ? "" : "'" + word + "' is no number above zero";
+}
+
+}  // namespace
 
 CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   CLI::App& command = *app.add_subcommand("path",
@@ -23,8 +33,8 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->required();
   command
       .add_option("-o,--output", arguments.outputs,
-                  "file to write: .csv (the motions at the poses), .json (everything) or .svg (each joint "
-                  "along the path); may be repeated")
+                  "file to write: .csv (the motions at the poses), .json (everything), .svg (each joint "
+                  "along the path) or .html (a page on which the arm moves along it); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
@@ -84,11 +94,11 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       .add_option(
           "--time", arguments.accelerations,
           "the least time of each motion, from rest to rest, under these joint accelerations, rad/s^2 "
-          "or m/s^2, and the joints' speeds: one for all or one for each, with commas")
+          "or m/s^2 (inf for no limit), and the joints' speeds: one for all or one for each, with commas")
       ->type_name("ACCELERATIONS")
       ->allow_extra_args(false)
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(positive_or_infinite)
       ->excludes("--free");
   command
       .add_option("--joint-speeds", arguments.joint_speeds,
@@ -98,6 +108,26 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->needs("--time");
+  command
+      .add_option(
+          "--joint-jerks", arguments.joint_jerks,
+          "for --time: the largest jerks of the joints, rad/s^3 or m/s^3, likewise; the time is near the "
+          "least one")
+      ->type_name("JERKS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->needs("--time");
+  command
+      .add_option(
+          "--joint-torques", arguments.joint_torques,
+          "for --time: the largest torques or forces of the joints, N m or N, likewise, or 'description' for "
+          "those that it states; the arm's masses and friction are taken into account")
+      ->type_name("TORQUES")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->needs("--time")
+      ->excludes("--joint-jerks");
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
       ->type_name("SPEED")
       ->check(CLI::PositiveNumber);

@@ -27,6 +27,8 @@ struct PathArguments {
   std::string range;  ///< LOWER:UPPER of what is free; empty without
   bool prove = false;
   std::vector<double> accelerations, joint_speeds;  ///< one, or one for each joint; empty without
+  std::vector<double> joint_jerks;                  ///< likewise
+  std::vector<std::string> joint_torques;           ///< likewise, or "description"
   double speed = 0;
   std::string length_unit = "m", angle_unit = "rad";
   std::filesystem::path known_robots;

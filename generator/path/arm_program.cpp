@@ -62,6 +62,7 @@ programs::Prepared prepared(const model::Robot& robot, const Task& task,
                                             {"info", "inverse_info" + suffix},
                                             {"held", task.held.has_value()},
                                             {"proofs", task.proofs},
+                                            {"forces", !task.bearing.empty()},
                                             {"index", task.held ? index_of(robot, task.held->name) : 0},
                                             {"header", header_of(task)}});
   return {main, {{"path_program.cpp", {"-ffp-contract=off"}}}, {}, {{"function", function}}};
@@ -74,11 +75,13 @@ std::string hexadecimal(double value) { return fmt::format("{:a}", value); }
 programs::Program arm_program(const model::Robot& robot, const Task& task, const std::string& key,
                               const toolchain::Runtime& runtime, const programs::Progress& progress) {
   const std::string held = task.held ? "-" + task.held->name : "", proofs = task.proofs ? "-proofs" : "";
+  const std::string forces = task.bearing.empty() ? "" : "-forces";
   std::vector<std::string> parts{"kinematics", "jacobian", "inverse"};
   if (task.proofs) parts.emplace_back("certified");
-  const programs::Recipe recipe{"path", key + held + proofs, parts, [&](const pipeline::RobotOutput& output) {
-                                  return prepared(robot, task, output);
-                                }};
+  if (!task.bearing.empty()) parts.emplace_back("dynamics");
+  const programs::Recipe recipe{
+      "path", key + held + proofs + forces, parts,
+      [&](const pipeline::RobotOutput& output) { return prepared(robot, task, output); }};
   return programs::program_for(robot, recipe, runtime, progress);
 }
 
@@ -91,6 +94,9 @@ ordered_json follow(const programs::Program& program, const Task& task, const Po
     if (task.least_times) words.push_back(hexadecimal(joint.speed));
   for (const MovingJoint& joint : task.joints)
     if (task.least_times) words.push_back(hexadecimal(joint.acceleration));
+  for (const MovingJoint& joint : task.bearing) words.push_back(hexadecimal(joint.force));
+  for (const MovingJoint& joint : task.joints)
+    if (task.jerks) words.push_back(hexadecimal(joint.jerk));
   return run_with_poses(program, words, poses);
 }
 

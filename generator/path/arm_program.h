@@ -30,6 +30,8 @@ struct MovingJoint {
   std::pair<double, double> limits;                        ///< infinite without
   double speed = std::numeric_limits<double>::infinity();  ///< the largest, rad/s or m/s
   double acceleration = 0;  ///< the largest, rad/s^2 or m/s^2, if least times are wanted
+  double force = std::numeric_limits<double>::infinity();  ///< the largest, N m or N, likewise
+  double jerk = std::numeric_limits<double>::infinity();   ///< the largest, rad/s^3 or m/s^3, likewise
 };
 
 /// Joints that follow a path, and the ways between its poses.
@@ -38,6 +40,8 @@ struct Task {
   std::vector<MovingJoint> joints;   ///< six
   std::string between = "straight";  ///< "screw", "spline", or the radius of blends, m
   bool least_times = false;          ///< of each motion
+  bool jerks = false;                ///< limit the least times; not beside `bearing`
+  std::vector<MovingJoint> bearing;  ///< all joints, if their forces limit the least times; else empty
   bool proofs = false;               ///< of each motion
   std::filesystem::path motions;     ///< CSV to write; empty for none
 };

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "path/arm_program.h"
+#include "path/result.h"
 
 namespace qvgen::path {
 
@@ -50,6 +51,13 @@ FreeMotion follow_free(const programs::Program& program, const FreeTask& task, c
 
 /// Returns the motion with the names of what moves.
 nlohmann::ordered_json json_of(const FreeMotion& motion, const FreeTask& task, const std::string& robot);
+
+/// A free motion as pictures take motions: what is free is one more joint, if it is none.
+struct Shown {
+  Result result;
+  Task panels;
+};
+Shown shown_of(const FreeMotion& motion, const FreeTask& task);
 
 /// Draws each joint against the path, as SVG, and what is free if it is no joint.
 std::string picture_of(const FreeMotion& motion, const FreeTask& task, const std::string& title);

@@ -38,16 +38,21 @@ ordered_json json_of(const FreeMotion& motion, const FreeTask& task, const std::
   return json;
 }
 
-std::string picture_of(const FreeMotion& motion, const FreeTask& task, const std::string& title) {
-  Task panels;
+Shown shown_of(const FreeMotion& motion, const FreeTask& task) {
+  Shown shown;
+  Task& panels = shown.panels;
   panels.joints = task.joints;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (task.joint() == nullptr)
     panels.joints.push_back({task.free, task.turns(), {-infinity, infinity}, infinity, 0});
-  Result result;
-  result.samples = motion.samples;
-  if (!motion.places.empty()) result.motions.push_back(motion_of(motion, task));
-  return picture_of(result, panels, title);
+  shown.result.samples = motion.samples;
+  if (!motion.places.empty()) shown.result.motions.push_back(motion_of(motion, task));
+  return shown;
+}
+
+std::string picture_of(const FreeMotion& motion, const FreeTask& task, const std::string& title) {
+  const Shown shown = shown_of(motion, task);
+  return picture_of(shown.result, shown.panels, title);
 }
 
 }  // namespace qvgen::path

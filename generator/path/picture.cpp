@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A picture of all motions along a path: a panel for each joint, the path to the right, a colour for each
 // motion. Limits are shaded; circles mark meetings, crosses wrist flips, bars limits.
+#include "path/picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +16,7 @@
 namespace qvgen::path {
 namespace {
 
-constexpr double width = 760, height = 130, gap = 34, left = 70, top = 50;
+constexpr double width = map_width, height = 130, gap = 34, left = map_left, top = map_top;
 constexpr double degrees = 180 / std::numbers::pi;
 /// Colours that stay apart in print and for most eyes (after Okabe and Ito).
 constexpr std::array<const char*, 8> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -61,7 +63,7 @@ std::string frame(const Panel& panel, const MovingJoint& joint) {
   text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", left, panel.y - 6, report::escaped(joint.name));
   for (const double value : {panel.low, panel.high})
     text += fmt::format(
-        "<text x=\"{}\" y=\"{:.1f}\" class=\"e\">{}</text>", left - 6, panel.up(value) + 4,
+        "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 6, panel.up(value) + 4,
         joint.revolute ? fmt::format("{:.0f}°", value * degrees) : fmt::format("{:.3g} m", value));
   return text + "\n";
 }
@@ -78,12 +80,14 @@ std::string mark(const MotionEnd& end, const Panel& panel, std::size_t joint, co
   return "";
 }
 
-std::string curve(const Motion& motion, const Panel& panel, std::size_t joint, const char* colour) {
+std::string curve(const Motion& motion, const Panel& panel, std::size_t joint, std::size_t number) {
+  const char* colour = colours.at(number % colours.size());
   std::string points;
   for (const auto& [s, q] : motion.curve)
     points += fmt::format("{:.2f},{:.2f} ", panel.across(s), panel.up(q.at(joint)));
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\"/>", points, colour) +
-         mark(motion.begin, panel, joint, colour) + mark(motion.end, panel, joint, colour) + "\n";
+  return fmt::format("<g data-motion=\"{}\"><polyline points=\"{}\" fill=\"none\" stroke=\"{}\"/>", number,
+                     points, colour) +
+         mark(motion.begin, panel, joint, colour) + mark(motion.end, panel, joint, colour) + "</g>\n";
 }
 
 }  // namespace
@@ -91,8 +95,7 @@ std::string curve(const Motion& motion, const Panel& panel, std::size_t joint, c
 std::string picture_of(const Result& result, const Task& task, const std::string& title) {
   const double total = top + static_cast<double>(task.joints.size()) * (height + gap) + 20;
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" "
-      "font-size=\"12\">\n<style>.e{{text-anchor:end}}.m{{text-anchor:middle}}</style>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" style=\"font:12px sans-serif\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{}\" y=\"20\" "
       "font-size=\"15\">{}</text>\n",
       left + width + 30, total, left, report::escaped(title));
@@ -100,11 +103,10 @@ std::string picture_of(const Result& result, const Task& task, const std::string
     const Panel panel =
         panel_of(result, joint, task.joints[joint], top + static_cast<double>(joint) * (height + gap));
     text += frame(panel, task.joints[joint]);
-    for (std::size_t i = 0; i < result.motions.size(); ++i)
-      text += curve(result.motions[i], panel, joint, colours.at(i % colours.size()));
+    for (std::size_t i = 0; i < result.motions.size(); ++i) text += curve(result.motions[i], panel, joint, i);
   }
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-    text += fmt::format("<text x=\"{}\" y=\"{}\" class=\"m\">{:.4g}</text>", left + width * share,
+    text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>", left + width * share,
                         total - 20 - gap + 16, share * std::max(1.0, result.end()));
   return text + "\n</svg>\n";
 }

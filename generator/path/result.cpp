@@ -45,12 +45,19 @@ Motion motion_of(const ordered_json& json) {
     motion.proof->narrowest = json.at("proof").at("narrowest");
   }
   if (json.contains("least_time")) motion.least_time = number_of(json.at("least_time"));
+  if (json.contains("overload")) {
+    const ordered_json& overload = json.at("overload");
+    motion.overload =
+        Overload{overload.at("joint"), overload.at("s"), overload.at("force"), overload.at("sure")};
+  }
   motion.limit_distance = extreme_of(json.at("limit_distance"));
   motion.regularity = extreme_of(json.at("regularity"));
   motion.speed = extreme_of(json.at("speed"));
   motion.acceleration = extreme_of(json.at("acceleration"));
-  for (const auto& place : json.at("curve"))
+  for (const auto& place : json.at("curve")) {
     motion.curve.emplace_back(place.at(0), place.at(1).get<std::vector<double>>());
+    if (motion.least_time) motion.curve_times.push_back(place.at(2));
+  }
   return motion;
 }
 

@@ -34,6 +34,14 @@ struct Proof {
   double narrowest = 0;                         ///< its least half width, rad or m
 };
 
+/// A joint that cannot bear its load at rest, or while it creeps against friction.
+struct Overload {
+  std::size_t joint = 0;  ///< among all joints
+  double s = 0;
+  double force = 0;     ///< at rest, N m or N
+  bool is_sure = true;  ///< else it may be, nearby
+};
+
 struct Motion {
   int track = -1;
   double representatives = 1;
@@ -43,7 +51,9 @@ struct Motion {
   Extreme limit_distance, regularity, speed, acceleration;
   std::optional<Proof> proof;
   std::optional<double> least_time;                           ///< s
+  std::optional<Overload> overload;                           ///< why there is no least time
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
+  std::vector<double> curve_times;                            ///< s, there; empty without least times
 };
 
 /// Stretches on which the proof cannot exclude another motion.

@@ -42,8 +42,9 @@ json joint_json(const Chain& chain, std::size_t i) {
   return result;
 }
 
-/// `chain` has all joints, `joints` those that are moved.
-json chain_json(const Chain& chain) {
+}  // namespace
+
+json chain_data(const Chain& chain) {
   json all = json::array(), moved = json::array(), start = json::array();
   const std::vector<double> bent = bent_pose(chain);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
@@ -55,9 +56,11 @@ json chain_json(const Chain& chain) {
   json result{
       {"base", to_json(chain.base.motion)}, {"joints", moved},        {"tool", to_json(chain.tool.motion)},
       {"geometry", chain.geometry},         {"size", size_of(chain)}, {"start", start}};
-  if (moved.size() != all.size()) result["chain"] = all;
+  if (moved.size() != all.size()) result["chain"] = all;  // all joints, beside those that are moved
   return result;
 }
+
+namespace {
 
 std::string calls_text(const model::Robot& robot, const InverseCall& inverse, bool has_measures) {
   return emit::render("report/live_calls.c", {{"name", robot.name},
@@ -123,7 +126,7 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
   if (!compiled.done) return without(compiled.reason);
   const CppFunctions more = cpp_functions(robot, !in_c.function.empty(), runtime);
   const InverseCall& inverse = in_c.function.empty() && more.module.done ? more.inverse : in_c;
-  json data = chain_json(chain_of(robot));
+  json data = chain_data(chain_of(robot));
   data["inverse"] = !inverse.function.empty();
   data["measures"] = has_measures ? json(output.counts.at("measures")) : json::array();
   data["given"] = place_of(robot, inverse.given);
@@ -132,10 +135,16 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
   return page_part(robot, inverse, more, data);
 }
 
-std::string live_script() {
+std::string drawing_script() {
   std::string all;
-  for (const char* name : {"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js",
-                           "live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"})
+  for (const char* name : {"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js"})
+    all += asset(name);
+  return all;
+}
+
+std::string live_script() {
+  std::string all = drawing_script();
+  for (const char* name : {"live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"})
     all += asset(name);
   return all;
 }

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Paths of 1,000 poses: `qvgen_paths [PATHS]` prints how long all motions along random paths take, beside all
-// solutions of the same poses alone, and the best motion where one coordinate is free. Processor time.
+// solutions of the same poses alone, the best motion where one coordinate is free, and least times along
+// joints. `qvgen_paths way` prints one of these ways for others to time (paths_toppra.py). Processor time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <qvgen/path/free_program.h>
+#include <qvgen/path/time.h>
 #include <qvgen/robots/crx10ia.h>
 #include <qvgen/robots/iiwa14.h>
 #include <qvgen/robots/iiwa14/arm_angle.h>
+#include <qvgen/robots/iiwa14/dynamics_definitions.h>
 #include <qvgen/robots/irb6640.h>
 #include <qvgen/robots/jaco2.h>
 #include <qvgen/robots/puma560.h>
@@ -210,12 +214,90 @@ void follow_free(int paths) {
       robots::iiwa14::is_revolute, paths);
 }
 
+/// The forces of an iiwa14.
+struct Forces {
+  static constexpr int forces = 7;
+  path::HeldValue held = {};
+  template <class Scalar>
+  [[nodiscard]] path::ForceParts<Scalar, 7> parts(const robots::iiwa14::JointVector<Scalar>& q,
+                                                  const robots::iiwa14::JointVector<Scalar>& slope) const {
+    return {robots::iiwa14::mass_matrix<Scalar>(q), robots::iiwa14::coriolis_torque<Scalar>(q, slope),
+            robots::iiwa14::gravity_torque<Scalar>(q)};
+  }
+};
+
+std::vector<Joints<7>> bent_way(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Joints<7>(Joints<7>::NullaryExpr([&] { return normal(random); })); };
+  const Joints<7> a = vector(), b = vector(), c = vector(), middle = 0.3 * vector();
+  std::vector<Joints<7>> way;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = 3.0 * static_cast<double>(i) / static_cast<double>(samples - 1);
+    way.push_back(middle + 0.5 * a * std::sin(t) + 0.3 * b * std::cos(1.7 * t) + 0.1 * c * std::sin(2.9 * t));
+  }
+  return way;
+}
+
+const path::RateLimits<7> rates{Joints<7>::Constant(2), Joints<7>::Constant(10)};
+
+/// Prints how many milliseconds planning one way takes, and the motion seconds; then the way.
+void print_way() {
+  std::mt19937 random(5);
+  const std::vector<Joints<7>> way = bent_way(random);
+  std::vector<path::Timing<7>::Point> points(samples);
+  path::Timing<7> timing(way.data(), samples, rates, points.data());
+  double seconds = 0;
+  const double least = fastest(5, [&] { seconds = timing.run(); });
+  std::printf("%.9g %.9g\n", least, seconds);
+  for (const Joints<7>& q : way)
+    for (int k = 0; k < 7; ++k) std::printf("%.17g%s", q[k], k < 6 ? "," : "\n");
+}
+
+/// Least times along joints of 1,000 points, without and with limits of torque (the maker's).
+void plan_times(int paths) {
+  std::mt19937 random(5);
+  path::ForceLimits<7> limits;
+  limits.most << 320, 320, 176, 176, 110, 40, 40;
+  std::vector<double> plain, bounds_alone, with_forces;
+  int failed = 0;
+  for (int i = 0; i < paths; ++i) {
+    const std::vector<Joints<7>> way = bent_way(random);
+    std::vector<path::Timing<7>::Point> points(samples);
+    path::Timing<7> timing(way.data(), samples, rates, points.data());
+    double seconds = 0, longer = 0;
+    plain.push_back(fastest(5, [&] { seconds = timing.run(); }));
+    std::vector<path::ForceBounds<7>> bounds(samples);
+    std::vector<path::Timing<7, 7>::Point> loaded_points(samples);
+    path::Timing<7, 7> loaded(way.data(), samples, rates, loaded_points.data());
+    loaded.lay();
+    bounds_alone.push_back(fastest(3, [&] {
+      for (std::size_t k = 0; k + 1 < samples; ++k)
+        bounds[k] = path::force_bounds(Forces(), loaded.spline(k));
+    }));
+    loaded.limit_forces(limits, bounds.data());
+    with_forces.push_back(bounds_alone.back() + fastest(3, [&] { longer = loaded.plan(); }));
+    failed += static_cast<int>(!(seconds > 0 && longer >= seconds * (1 - 1e-9)));
+  }
+  std::printf("\n%-24s%10s%10s%10s%10s\n", "least time, 7 joints, ms", "median", "90 %", "slowest", "failed");
+  const auto row = [&](const char* name, const std::vector<double>& all) {
+    std::printf("%-24s%10.2f%10.2f%10.2f%10d\n", name, part(all, 0.5), part(all, 0.9), part(all, 1), failed);
+  };
+  row("speed, acceleration", plain);
+  row("torque too", with_forces);
+  row("  bounds of torques", bounds_alone);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "way") {
+    print_way();
+    return 0;
+  }
   const int paths = argc > 1 ? std::atoi(argv[1]) : 20;
   if (paths < 1) return 2;
   for (const double length : {0.5, 1.5}) follow_all(length, paths);
   follow_free(paths);
+  plan_times(paths);
   return 0;
 }

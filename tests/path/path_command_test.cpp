@@ -39,7 +39,7 @@ class PathCommand : public CommandLine {
 
 TEST_F(PathCommand, AReachablePathIsFollowedAllTheWay) {
   write("seam.csv", seam(100));
-  const ToolRun result = follow("ur5 seam.csv -o motions.csv -o motions.json -o motions.svg");
+  const ToolRun result = follow("ur5 seam.csv -o motions.csv -o motions.json -o motions.svg -o motions.html");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "ur5: 41 poses")) << result.output;
   EXPECT_TRUE(has(result, "joints that follow the whole path from its start")) << result.output;
@@ -47,6 +47,7 @@ TEST_F(PathCommand, AReachablePathIsFollowedAllTheWay) {
   EXPECT_NE(read("motions.csv").find("\n1,40,4,"), std::string::npos);
   EXPECT_NE(read("motions.json").find("\"robot\": \"ur5\""), std::string::npos);
   EXPECT_NE(read("motions.svg").find("<polyline"), std::string::npos);
+  EXPECT_NE(read("motions.html").find("id=\"path-data\""), std::string::npos);
 }
 
 TEST_F(PathCommand, APathThatLeavesTheReachEndsThere) {
@@ -129,6 +130,40 @@ TEST_F(PathCommand, LeastTimesKeepTheSpeeds) {
   EXPECT_GT(compared, 30);
 }
 
+TEST_F(PathCommand, JerksSlowTheMotionDown) {
+  write("seam.csv", seam(100));
+  const auto seconds = [&](const std::string& more) {
+    const ToolRun result = follow("ur5 seam.csv --time 6 --joint-speeds 1.5" + more);
+    EXPECT_EQ(result.code, 0) << result.output;
+    const std::size_t place = result.output.find("the fastest along the whole path is motion");
+    return place == std::string::npos
+               ? -1
+               : std::strtod(result.output.c_str() + result.output.find(": ", place) + 2, nullptr);
+  };
+  const double without = seconds("");
+  EXPECT_GT(seconds(" --joint-jerks 60"), 1.001 * without);
+  EXPECT_LT(seconds(" --joint-jerks 60"), 1.5 * without);
+  EXPECT_GT(seconds(" --joint-jerks 5"), 1.5 * without);
+}
+
+/// Compiles a program of its own: with QVGEN_PROOFS.
+TEST_F(PathCommand, TorquesLimitTheLeastTime) {
+  if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
+  write("seam.csv", seam(100));
+  const auto seconds = [&](const std::string& torques) {
+    const ToolRun result = follow("puma560 seam.csv --time inf --joint-speeds 3 --joint-torques " + torques);
+    EXPECT_EQ(result.code, 0) << result.output;
+    const std::size_t place = result.output.find("the fastest along the whole path is motion");
+    return place == std::string::npos
+               ? -1
+               : std::strtod(result.output.c_str() + result.output.find(": ", place) + 2, nullptr);
+  };
+  EXPECT_GT(seconds("80,80,40,5,5,1"), seconds("800,800,400,50,50,10") + 0.01);
+  const ToolRun result = follow("puma560 seam.csv --time 6 --joint-torques 60,3,60,5,5,1");
+  EXPECT_TRUE(has(result, "none: theta2 bears ")) << result.output;
+  EXPECT_TRUE(has(result, " of 3 N m at rest at ")) << result.output;
+}
+
 TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
   write("seam.csv", seam(100));
   for (const std::string way : {"--spline", "--blend 0.005"}) {
@@ -142,13 +177,14 @@ TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
 TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
   write("seam.csv", seam(900));
-  const ToolRun result =
-      follow("ur5 seam.csv --free rail_x --range 0:1 -o motion.csv -o motion.json -o motion.svg");
+  const ToolRun result = follow(
+      "ur5 seam.csv --free rail_x --range 0:1 -o motion.csv -o motion.json -o motion.svg -o motion.html");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "the motion follows the whole path")) << result.output;
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
   EXPECT_NE(read("motion.json").find("\"free\": \"rail_x\""), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
+  EXPECT_NE(read("motion.html").find("\"rail\":0"), std::string::npos);
 }
 
 /// Compiles a program of its own, half a minute: with QVGEN_PROOFS.
@@ -172,7 +208,7 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   };
   expect("ur5 nan.csv -o out.csv", 1, "nan.csv:3");
   expect("ur5 none.csv", 1, "none.csv");
-  expect("ur5 good.csv -o out.txt", 2, ".csv, .json or .svg");
+  expect("ur5 good.csv -o out.txt", 2, ".csv, .json, .svg or .html");
   expect("ur5 good.csv --limit theta9=0:1", 2, "there is no joint");
   expect("ur5 good.csv --limit theta1=1:0", 2, "above the upper one");
   expect("scara good.csv", 1, "six");
@@ -180,6 +216,15 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --time 1,2", 2, "one for each of 6 joints");
   expect("ur5 good.csv --time 0", 2, "--time");
   expect("ur5 good.csv --joint-speeds 1", 2, "--time");
+  expect("ur5 good.csv --joint-torques 1", 2, "--time");
+  expect("ur5 good.csv --joint-jerks 1", 2, "--time");
+  expect("ur5 good.csv --time 6 --joint-jerks 1,2", 2, "one for each of 6 joints");
+  expect("ur5 good.csv --time 6 --joint-jerks 9 --joint-torques 9", 2, "--joint-jerks");
+  expect("ur5 good.csv --time 6 --joint-torques 1,2", 2, "one for each of 6 joints");
+  expect("ur5 good.csv --time 6 --joint-torques -1", 2, "above zero");
+  expect("ur5 good.csv --time 6 --joint-torques 100", 1, "no value for m1");
+  expect("crx10ia good.csv --time 6 --joint-torques 100", 1, "no masses");
+  expect("puma560 good.csv --time 6 --joint-torques description", 1, "no effort limits");
   expect("ur5 good.csv --prove --free tool_z", 2, "--free");
   expect("ur5 good.csv --prove --spline", 2, "--spline");
   expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");

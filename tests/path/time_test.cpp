@@ -20,7 +20,7 @@ struct Timed {
   Timing<dof> timing;
   double seconds;
 
-  Timed(std::vector<Joints<dof>> joints, const RateLimits<dof>& limits)
+  Timed(std::vector<Joints<dof>> joints, const path::RateLimits<dof>& limits)
       : q(std::move(joints)),
         points(q.size()),
         timing(q.data(), q.size(), limits, points.data()),
@@ -40,7 +40,7 @@ TEST(PathTiming, AStraightWayTakesTheTimeOfATrapezoid) {
       std::vector<Joints<2>> q;
       for (std::size_t i = 0; i < count; ++i)
         q.push_back(Joints<2>(1, -2) * (length * static_cast<double>(i) / static_cast<double>(count - 1)));
-      const RateLimits<2> limits{{3, 1.5}, {8, 4}};  // the second joint is the slower one
+      const path::RateLimits<2> limits{{3, 1.5}, {8, 4}};  // the second joint is the slower one
       const Timed<2> timed(q, limits);
       const double exact = trapezoid(2 * length, 1.5, 4);
       EXPECT_GE(timed.seconds, exact * (1 - 1e-9));
@@ -54,7 +54,7 @@ TEST(PathTiming, OnACircleTheSpeedIsThatOfItsBend) {
   const double radius = 0.5, turns = 6 * 3.14159265358979323846;
   for (int i = 0; i <= 3000; ++i)
     q.emplace_back(radius * std::cos(turns * i / 3000), radius * std::sin(turns * i / 3000));
-  const RateLimits<2> limits{{100, 100}, {2, 2}};
+  const path::RateLimits<2> limits{{100, 100}, {2, 2}};
   const Timed<2> timed(q, limits);
   // |q''| w = w / r <= a where a joint turns back; between, both limits together allow more, sqrt 2 at most.
   const double slowest = radius * turns / std::sqrt(2 * radius);
@@ -80,7 +80,7 @@ TEST(PathTiming, NoLimitIsLeftAndSomeLimitHolds) {
   for (int trial = 0; trial < 20; ++trial) {
     SCOPED_TRACE(trial);
     std::uniform_real_distribution<double> limit(0.5, 5);
-    RateLimits<7> limits;
+    path::RateLimits<7> limits;
     for (int k = 0; k < 7; ++k) {
       limits.speed[k] = limit(random);
       limits.acceleration[k] = 4 * limit(random);
@@ -109,7 +109,7 @@ TEST(PathTiming, NoLimitIsLeftAndSomeLimitHolds) {
 /// Speeds and accelerations are those of the joints, by differences in time.
 TEST(PathTiming, RatesAreTheDerivativesOfTheJoints) {
   std::mt19937 random(9);
-  const RateLimits<3> limits{{2, 2, 2}, {9, 9, 9}};
+  const path::RateLimits<3> limits{{2, 2, 2}, {9, 9, 9}};
   const Timed<3> timed(random_way<3>(random, 60), limits);
   for (std::size_t i = 0; i + 1 < 60; ++i) {
     const double step = 1e-4;
@@ -129,7 +129,7 @@ TEST(PathTiming, RatesAreTheDerivativesOfTheJoints) {
 TEST(PathTiming, OddInputGetsAnAnswer) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const Joints<2> a(0, 0), b(1, 0.5), bad(nan, 0);
-  const RateLimits<2> limits{{1, 1}, {1, 1}};
+  const path::RateLimits<2> limits{{1, 1}, {1, 1}};
   EXPECT_EQ(Timed<2>({}, limits).seconds, 0);
   EXPECT_EQ(Timed<2>({a}, limits).seconds, 0);
   EXPECT_EQ(Timed<2>({a, a, a}, limits).seconds, 0);

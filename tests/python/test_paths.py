@@ -74,5 +74,7 @@ def test_bad_input_gets_a_sentence(ns, arm):
         ns.paths(poses, times=[0, 1])
     with pytest.raises(ValueError, match="--time"):
         ns.paths(poses_of(ns, 5), time=-1)
+    with pytest.raises(ValueError, match="no effort limits|no value"):
+        ns.paths(poses_of(ns, 5), time=6, joint_torques="description")
     with pytest.raises(ValueError, match="6|six"):
         arm.paths(poses_of(ns, 5))

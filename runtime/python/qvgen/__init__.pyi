@@ -76,6 +76,7 @@ class Motion(NamedTuple):
     values: NDArray[float64] | None
     gaps: list[tuple[float, float]] | None
     t: NDArray[float64] | None = None
+    overload: tuple[str, float, float] | None = None
 
 class Paths(NamedTuple):
     motions: list[Motion]
@@ -244,7 +245,8 @@ class Robot(Protocol):
         limits: _Limits = "description", times: ArrayLike | None = None, screw: bool = False,
         prefer: ArrayLike | None = None, prove: bool = False, time: ArrayLike | None = None,
         joint_speeds: ArrayLike | None = None, spline: bool = False, blend: float | None = None,
-        free_range: tuple[float, float] | None = None,
+        free_range: tuple[float, float] | None = None, joint_torques: ArrayLike | Literal["description"] | None = None,
+        joint_jerks: ArrayLike | None = None,
     ) -> Paths: ...
     def plot(self, q: ArrayLike, *, axes: Any = None) -> Any: ...  # axes of matplotlib
     def show(self, *, browser: bool = True) -> Page: ...

@@ -25,6 +25,7 @@ class Motion(typing.NamedTuple):
     values: typing.Any  #: (n,), what the free coordinate is, rad or m; None without one
     gaps: typing.Any  #: stretches (from, to) that are not proven; None without a proof
     t: typing.Any = None  #: (n,), s, at these places: least times with `time`, else the poses' `times`; None without
+    overload: typing.Any = None  #: (joint, s, torque): the joint that cannot bear its load, for which there is no least time
 
 
 class Paths(typing.NamedTuple):
@@ -38,7 +39,8 @@ class Paths(typing.NamedTuple):
 
 
 def paths(source, robot, poses, *, free=None, hold=None, limits="description", times=None, screw=False, prefer=None,
-          prove=False, time=None, joint_speeds=None, spline=False, blend=None, free_range=None):
+          prove=False, time=None, joint_speeds=None, spline=False, blend=None, free_range=None, joint_torques=None,
+          joint_jerks=None):
     """Every continuous motion of the joints that follows poses, (n, 7): w x y z, then metres.
 
     `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
@@ -47,7 +49,8 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
     lines; `spline`: a cubic spline through them; `blend`: straight lines with corners rounded from so many metres before them.
     `prove`: each motion is proven, and that there is no other. `time`: largest joint accelerations, rad/s^2 or m/s^2, one or
     one for each: each motion gets its least times, from rest to rest, under these and the joints' speeds, the description's or
-    `joint_speeds`. Raises ValueError with what is wrong with the path or the arm.
+    `joint_speeds`, with rows between the poses. `joint_torques`: the largest ones too, N m or N, one or one for each, or
+    "description". `joint_jerks`: the largest ones too, rad/s^3 or m/s^3; not beside torques. Raises ValueError with what is wrong with the path or the arm.
     """
     description, *options = source
     with tempfile.TemporaryDirectory() as folder:
@@ -58,6 +61,9 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         command += ["--spline"] * bool(spline) + _numbers("--blend", blend)
         command += [] if free_range is None else [f"--range={float(free_range[0])!r}:{float(free_range[1])!r}"]
         command += _numbers("--time", time) + _numbers("--joint-speeds", joint_speeds)
+        command += _numbers("--joint-jerks", joint_jerks)
+        by_description = isinstance(joint_torques, str)
+        command += [f"--joint-torques={joint_torques}"] if by_description else _numbers("--joint-torques", joint_torques)
         command += [] if free else ["-o", folder / "out.json"]
         done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
         if not (folder / "out.csv").exists():
@@ -145,7 +151,7 @@ def _all(rows, file, robot, hold, has_times):
         gaps = [tuple(gap) for gap in each["proof"]["gaps"]] if "proof" in each else None
         motions.append(Motion(own[:, 1], _with_held(own[:, first:], about["joints"], robot, hold), each["begin"]["cause"],
                               each["end"]["cause"], branches, each["representatives"], None, gaps,
-                              own[:, 2] if has_times else None))
+                              own[:, 2] if has_times else None, _overload(each, robot)))
     end = about["samples"] - 1
     whole = [i for i, each in enumerate(about["motions"]) if each["begin"]["s"] <= 0 and each["end"]["s"] >= end]
     chain = [(each["motion"], each["s"]) for each in about["chain"]]
@@ -154,6 +160,11 @@ def _all(rows, file, robot, hold, has_times):
     timed = [i for i in whole if least[i] is not None]
     fastest = min(timed, key=least.get) if timed else None
     return Paths(motions, whole, chain, [tuple(gap) for gap in about["gaps"]], others, fastest)
+
+
+def _overload(motion, robot):
+    over = motion.get("overload")
+    return None if over is None else (robot.joint_names[over["joint"]], over["s"], over["force"])
 
 
 def _with_held(q, joints, robot, hold):

@@ -12,8 +12,8 @@
 #include <qvgen/path/follow.h>
 #include <qvgen/path/held.h>
 #include <qvgen/path/json.h>
+#include <qvgen/path/least_time.h>
 #include <qvgen/path/review.h>
-#include <qvgen/path/time.h>
 
 /// The program that `qvgen path` compiles for an arm and runs. A file has the samples, eight numbers each:
 /// w x y z of the orientation, the position, the time (NaN without). The result goes to the output as JSON,
@@ -29,6 +29,8 @@ struct Request {
   JointLimits<6> limits;
   bool is_timed = false;  ///< the least time of each motion is wanted
   RateLimits<6> rates{};
+  std::vector<double> forces;     ///< largest ones of all joints, N m or N; empty without
+  std::vector<double> jerks;      ///< largest ones, rad/s^3 or m/s^3; empty without
   const char* motions = nullptr;  ///< the CSV's file
 };
 
@@ -61,14 +63,14 @@ inline bool read_samples(const char* file, Request& request) {
 }
 
 /// All that was found along one path, with the memory that it takes.
-template <class Arm, class Bounds>
+template <class Arm, class Bounds, class Dynamics>
 class Found {
  public:
   static constexpr int capacity = Arm::capacity;
   static constexpr bool has_proofs = !std::is_same_v<Bounds, NoProofs>;
 
-  /// `bounds`: the arm in bounds, or NoProofs.
-  Found(const Arm& arm, const Request& request, const Bounds& bounds)
+  /// `bounds`: the arm in bounds, or NoProofs; `dynamics`: its forces, or NoDynamics.
+  Found(const Arm& arm, const Request& request, const Bounds& bounds, const Dynamics& dynamics)
       : arm_(arm),
         bounds_(bounds),
         request_(request),
@@ -88,7 +90,7 @@ class Found {
     MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
     record_.is_full = !cut.run() || record_.is_full;
     for (const Motion& motion : motions_)
-      if (request.is_timed) times_.push_back(times_of(motion));
+      if (request.is_timed) times_.push_back(times_of(motion, dynamics));
   }
 
   void write_json() {
@@ -114,8 +116,12 @@ class Found {
     if (to == nullptr) return false;
     std::fprintf(to, "motion,s%s%s\n", has_times() ? ",t [s]" : "", header);
     for (std::size_t i = 0; i < motions_.size(); ++i) {
-      std::size_t place = 0;
-      for_each_place(motions_[i], 1, [&](double s, const Values& q) { write_row(to, i, place++, s, q); });
+      if (request_.is_timed)
+        for (const TimedPlace& place : times_[i].places) write_row(to, i, place.s, place.time, place.q);
+      else
+        for_each_place(motions_[i], 1, [&](double s, const Values& q) {
+          write_row(to, i, s, has_times() ? time_at(s) : 0, q);
+        });
     }
     const bool failed = std::ferror(to) != 0;
     return std::fclose(to) == 0 && !failed;
@@ -164,30 +170,36 @@ class Found {
     if (motion.end.s > motion.begin.s) take(motion.end.s, motion.end.q);
   }
 
-  [[nodiscard]] bool has_times() const { return request_.is_timed || !request_.times.empty(); }
-
-  /// Least times at the places of a motion; a point between two that are alone is added for it.
-  [[nodiscard]] std::vector<double> times_of(const Motion& motion) const {
-    std::vector<Values> q;
-    std::vector<std::size_t> at;  // which point each place is
-    for_each_place(motion, 1, [&](double, const Values& place) {
-      if (q.empty() || (place - q.back()).norm() > 1e-9) q.push_back(place);
-      at.push_back(q.size() - 1);
-    });
-    const bool has_two = q.size() == 2;
-    if (has_two) q.insert(q.begin() + 1, 0.5 * (q[0] + q[1]));
-    std::vector<typename Timing<6>::Point> points(q.size());
-    Timing<6> timing(q.data(), q.size(), request_.rates, points.data());
-    timing.run();
-    std::vector<double> times;
-    for (const std::size_t i : at) times.push_back(points[has_two ? 2 * i : i].time);
-    return times;
+  /// Calls with the first and the last place, and some between.
+  template <class Take>
+  static void for_some(const std::vector<TimedPlace>& places, const Take& take) {
+    const std::size_t stride = places.size() / most_drawn + 1;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (i % stride == 0 || i + 1 == places.size()) take(places[i]);
   }
 
-  void write_row(std::FILE* to, std::size_t motion, std::size_t place, double s, const Values& q) const {
+  [[nodiscard]] bool has_times() const { return request_.is_timed || !request_.times.empty(); }
+
+  [[nodiscard]] LeastTimes times_of(const Motion& motion, const Dynamics& dynamics) const {
+    std::vector<double> s;
+    std::vector<Values> q;
+    for_each_place(motion, 1, [&](double place, const Values& joints) {
+      s.push_back(place);
+      q.push_back(joints);
+    });
+    ForceLimits<Dynamics::forces> limits;
+    if constexpr (Dynamics::forces > 0) {
+      std::copy_n(request_.forces.begin(), Dynamics::forces, limits.most.begin());
+      add_friction([&](const auto& qd) { return dynamics.friction(qd); }, limits);
+    }
+    LeastTime<Dynamics> least(dynamics, request_.rates, limits);
+    if (!request_.jerks.empty()) least.limit_jerks(Values(Eigen::Map<const Values>(request_.jerks.data())));
+    return least.run(s, q);
+  }
+
+  void write_row(std::FILE* to, std::size_t motion, double s, double time, const Values& q) const {
     std::fprintf(to, "%zu,%s", motion + 1, json::text(s).c_str());
-    if (has_times())
-      std::fprintf(to, ",%s", json::text(request_.is_timed ? times_[motion][place] : time_at(s)).c_str());
+    if (has_times()) std::fprintf(to, ",%s", std::isnan(time) ? "nan" : json::text(time).c_str());
     for (int i = 0; i < 6; ++i) std::fprintf(to, ",%s", json::text(q[i]).c_str());
     std::fprintf(to, "\n");
   }
@@ -213,18 +225,33 @@ class Found {
     const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
                                  request_.times.empty() ? nullptr : request_.times.data());
     const Review review = reviewer.review(motion);
-    if (request_.is_timed) std::printf(",\"least_time\":%s", json::text(times_[number].back()).c_str());
+    if (request_.is_timed) write_time(times_[number]);
     write_extreme("limit_distance", review.limit_distance);
     write_extreme("regularity", review.regularity);
     write_extreme("speed", review.speed);
     write_extreme("acceleration", review.acceleration);
     std::printf(",\"travel\":%s,\"curve\":[", json::text(review.travel).c_str());
     const char* separator = "";
-    for_each_place(motion, request_.samples.size() / most_drawn + 1, [&](double s, const Values& q) {
-      std::printf("%s[%s,%s]", separator, json::text(s).c_str(), json::text(q).c_str());
+    const auto write = [&](double s, const Values& q, const std::string& time) {
+      std::printf("%s[%s,%s%s]", separator, json::text(s).c_str(), json::text(q).c_str(), time.c_str());
       separator = ",";
-    });
+    };
+    if (request_.is_timed)
+      for_some(times_[number].places,
+               [&](const TimedPlace& place) { write(place.s, place.q, "," + json::text(place.time)); });
+    else
+      for_each_place(motion, request_.samples.size() / most_drawn + 1,
+                     [&](double s, const Values& q) { write(s, q, ""); });
     std::printf("]}");
+  }
+
+  static void write_time(const LeastTimes& least) {
+    std::printf(",\"least_time\":%s", json::text(least.seconds).c_str());
+    const Overload& overload = least.overload;
+    if (overload.joint < 0) return;
+    std::printf(",\"overload\":{\"joint\":%d,\"s\":%s,\"force\":%s,\"sure\":%s}", overload.joint,
+                json::text(overload.s).c_str(), json::text(overload.force).c_str(),
+                overload.is_sure ? "true" : "false");
   }
 
   void write_proof(const Motion& motion) const {
@@ -294,35 +321,44 @@ class Found {
   std::vector<Event> events_;
   Record<capacity> record_;
   std::vector<Motion> motions_;
-  std::vector<std::vector<double>> times_;  ///< of each motion, if they are wanted
-  std::vector<double> extra_;               ///< places that the proof has added
-  Stretches open_;                          ///< stretches not proven to have no other motions
-  int found_ = 0;                           ///< tracks that only the proof has met
+  std::vector<LeastTimes> times_;  ///< of each motion, if they are wanted
+  std::vector<double> extra_;      ///< places that the proof has added
+  Stretches open_;                 ///< stretches not proven to have no other motions
+  int found_ = 0;                  ///< tracks that only the proof has met
   double seconds_ = 0, complete_seconds_ = 0;
 };
 
 /// Arguments: the file of samples, the way between them (`read_between`), the file of motions or "-", the
 /// value of the joint that is held (0 without), six lower and six upper limits, and, for least times, six
-/// speeds and six accelerations. `arm_of` makes the arm from that value, `bounds_of` its bounds for proofs.
-template <class ArmOf, class BoundsOf>
-int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of) {
-  if (argc != 17 && argc != 29) return 2;
+/// speeds, six accelerations, the largest forces of all joints where `dynamics_of` has any, and, if wanted
+/// where it has none, six jerks. `arm_of`
+/// makes the arm from the value that is held, `bounds_of` its bounds for proofs, `dynamics_of` its dynamics.
+template <class ArmOf, class BoundsOf, class DynamicsOf>
+int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of,
+        const DynamicsOf& dynamics_of) {
+  const double held = argc > 4 ? std::strtod(argv[4], nullptr) : 0;
+  const auto dynamics = dynamics_of(held);
+  constexpr int forces = std::decay_t<decltype(dynamics)>::forces;
+  const bool has_jerks = forces == 0 && argc == 35;
+  if (argc != 17 && argc != 29 + forces && !has_jerks) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
   read_between(argv[2], request);
   if (std::string(argv[3]) != "-") request.motions = argv[3];
+  request.is_timed = argc > 17;
   for (int i = 0; i < 6; ++i) {
     request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);
     request.limits.upper[i] = std::strtod(argv[11 + i], nullptr);
-    request.is_timed = argc == 29;
     if (!request.is_timed) continue;
     request.rates.speed[i] = std::strtod(argv[17 + i], nullptr);
     request.rates.acceleration[i] = std::strtod(argv[23 + i], nullptr);
   }
-  const double held = std::strtod(argv[4], nullptr);
+  for (int i = 29; i < argc; ++i)
+    (has_jerks ? request.jerks : request.forces).push_back(std::strtod(argv[i], nullptr));
   const auto arm = arm_of(held);
   const auto bounds = bounds_of(held);
-  Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(bounds)>> found(arm, request, bounds);
+  Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(bounds)>, std::decay_t<decltype(dynamics)>> found(
+      arm, request, bounds, dynamics);
   found.write_json();
   if (request.motions != nullptr && !found.write_motions(header)) return 1;
   return std::fflush(stdout) == 0 ? 0 : 1;

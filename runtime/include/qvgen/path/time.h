@@ -7,16 +7,18 @@
 #include <limits>
 
 #include <qvgen/inverse/nearest.h>
+#include <qvgen/path/force.h>
 
 /// The fastest motion along joints that are given at some points, from rest to rest, under limits of joint
-/// speed and acceleration, with no violation between the points either.
+/// speed, acceleration and, if wanted, force, with no violation between the points either.
 ///
 /// A natural cubic spline q(s) leads through the points, s the way in joint space. With w = s'^2 linear on
 /// each stretch and its acceleration u = s'' even, q' u + q'' w is a quadratic polynomial of s there, which
 /// lies between the least and largest of its three Bernstein coefficients. These are linear in u and in w at
 /// the stretch's start, so each limit is three straight lines. A pass from the end finds the largest w from
 /// which the rest can be done, and a pass from the start goes as fast as that allows (reachability analysis,
-/// Pham and Pham 2018, with Bernstein coefficients in place of points).
+/// Pham and Pham 2018, with Bernstein coefficients in place of points). Limits of force give more lines,
+/// which hold on the whole stretch (force.h).
 namespace qvgen::path {
 
 /// Largest speed and acceleration of each joint, rad or m; infinite for none.
@@ -25,7 +27,8 @@ struct RateLimits {
   Joints<dof> speed, acceleration;
 };
 
-template <int dof>
+/// `forces`: number of joints whose forces are limited; 0 without.
+template <int dof, int forces = 0>
 class Timing {
  public:
   /// One point and the stretch behind it. The caller has as many as there are points.
@@ -41,17 +44,40 @@ class Timing {
   Timing(const Joints<dof>* q, std::size_t count, const RateLimits<dof>& limits, Point* points)
       : q_(q), count_(count), limits_(limits), points_(points) {}
 
+  /// Limits the joints' forces too: `bounds` has those of each stretch, all of whose lines have gammas above
+  /// zero when the motion is planned.
+  void limit_forces(const ForceLimits<forces>& limits, const ForceBounds<forces>* bounds) {
+    force_limits_ = limits;
+    bounds_ = bounds;
+  }
+
   /// Returns the time that the motion takes, s; NaN if numbers are not finite or a limit is not above zero.
   /// The motion rests at equal points; a stretch between two rests needs a point in its middle, else it is
   /// infinite.
-  double run() {
-    if (!is_good()) return std::numeric_limits<double>::quiet_NaN();
-    if (count_ == 0) return 0;
+  double run() { return lay() ? plan() : std::numeric_limits<double>::quiet_NaN(); }
+
+  /// Lays the spline through the points; false if numbers are not finite or a limit is not above zero.
+  bool lay() {
+    if (!is_good()) return false;
     measure();
     bend();
+    return true;
+  }
+
+  /// Returns the time of the fastest motion along the spline, which was laid before.
+  double plan() {
+    if (count_ == 0) return 0;
     if (!go_back()) return std::numeric_limits<double>::quiet_NaN();
     go_on();
     return stretch();
+  }
+
+  /// Returns the spline on a stretch.
+  [[nodiscard]] SplineStretch<dof> spline(std::size_t i) const {
+    const Point &a = points_[i], &b = points_[i + 1];
+    const Joints<dof> start = slope_at_start(i);
+    return {
+        {q_[i], q_[i + 1]}, {start, start + 0.5 * a.length * (a.bend + b.bend)}, {a.bend, b.bend}, a.length};
   }
 
   /// Returns speed and acceleration of the joints on a stretch, at a share of it from 0 to 1.
@@ -73,8 +99,8 @@ class Timing {
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double shortest = 1e-12;
-  static constexpr int lines = 3 * dof + 1;
+  static constexpr double shortest = 1e-12, fastest = 1e12;
+  static constexpr int lines = 3 * dof + 1 + force_lines<forces>;
 
   [[nodiscard]] bool is_good() const {
     for (std::size_t i = 0; i < count_; ++i)
@@ -138,6 +164,18 @@ class Timing {
       high[k] = limit / std::abs(by_u);
       low_slope[k] = high_slope[k] = -by_w / by_u;
     }
+    void take(int k, const ForceLine& line) {
+      low[k] = -infinity;
+      high[k] = infinity;
+      low_slope[k] = high_slope[k] = 0;
+      if (!(line.gamma < infinity)) return;
+      if (std::abs(line.alpha) < 1e-12) {
+        if (line.beta > 0) most = std::min(most, line.gamma / line.beta);
+        return;
+      }
+      (line.alpha > 0 ? high : low)[k] = line.gamma / line.alpha;
+      (line.alpha > 0 ? high_slope : low_slope)[k] = -line.beta / line.alpha;
+    }
     [[nodiscard]] double largest_low(double w, int& which) const {
       return extreme(low, low_slope, w, which, 1);
     }
@@ -172,6 +210,10 @@ class Timing {
       stretch.take(3 * k + 1, middle[k] + h * a.bend[k], 0.5 * (a.bend[k] + b.bend[k]), limit);
       stretch.take(3 * k + 2, end[k] + 2 * h * b.bend[k], b.bend[k], limit);
     }
+    int line = 3 * dof;
+    if constexpr (forces > 0)
+      for_each_line(bounds_[i], force_limits_, h,
+                    [&](int, const ForceLine& each) { stretch.take(line++, each); });
     const int last = lines - 1;  // 0 <= w + 2 u h <= next
     stretch.low[last] = 0;
     stretch.high[last] = next / (2 * h);
@@ -220,8 +262,9 @@ class Timing {
       points_[i + 1].most = std::min(points_[i + 1].most, std::min(own, speed));
       const Stretch stretch = limits_of(i, points_[i + 1].most);
       const double most = std::min(own, stretch.most);
-      if (!(most < infinity) && !limits_.acceleration.allFinite()) return false;
-      points_[i].most = largest(stretch, std::min(most, 1e12));
+      if (forces == 0 && !(most < infinity) && !limits_.acceleration.allFinite()) return false;
+      points_[i].most = largest(stretch, std::min(most, fastest));
+      if (forces > 0 && points_[i].most == fastest) return false;
       speed = own;
     }
     return true;
@@ -272,6 +315,10 @@ class Timing {
     for (int k = 0; k < dof; ++k)
       excess = std::max(excess, std::max({std::abs(first[k]), std::abs(second[k]), std::abs(third[k])}) /
                                     limits_.acceleration[k]);
+    if constexpr (forces > 0)
+      for_each_line(bounds_[i], force_limits_, h, [&](int, const ForceLine& line) {
+        excess = std::max(excess, (line.alpha * a.u + line.beta * a.w) / line.gamma);
+      });
     return excess;
   }
 
@@ -279,6 +326,8 @@ class Timing {
   std::size_t count_;
   RateLimits<dof> limits_;
   Point* points_;
+  ForceLimits<forces> force_limits_;
+  const ForceBounds<forces>* bounds_ = nullptr;
 };
 
 }  // namespace qvgen::path

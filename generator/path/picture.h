@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Where the picture of a path (picture.cpp) has the path, for scripts that mark a place on it.
+#pragma once
+
+namespace qvgen::path {
+
+/// Left edge and width of the panels, and the top of the first, in the units of the SVG.
+inline constexpr double map_left = 70, map_width = 760, map_top = 50;
+
+}  // namespace qvgen::path
