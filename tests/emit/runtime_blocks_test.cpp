@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Headers of the C++ runtime read as C: golden texts of what the two languages write differently.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "emit/blocks/runtime/runtime.h"
+#include "emit/builtin_templates.h"
 #include "emit/c/inverse/blocks.h"
 
 namespace qvgen::test {
@@ -146,6 +152,40 @@ TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
               HasSubstr("header.h:4: another number of arguments than doubt has"));
   EXPECT_THAT(error_of("const auto g = [&](Scalar y) { return y; };"), HasSubstr("header.h:4:"));
   EXPECT_THAT(error_of("return (x;"), HasSubstr("header.h:"));
+  for (const char* header :
+       {"template <typename Scalar", "template <typename Scalar>\nstruct A {\n  int b;\n", "Scalar f(",
+        "inline constexpr double a = 1", "Scalar f()", "Scalar"})
+    EXPECT_THAT(error_in(header), HasSubstr("header.h:")) << header;
+}
+
+/// Names of the blocks that kinds of equations call.
+std::set<std::string> blocks_of_kinds() {
+  const std::regex called(R"re("([a-z_]+)",\s+(solve|\[\]\(auto))re");
+  std::set<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/generator/derive/inverse/kinds")) {
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    const std::string kinds = text.str();
+    for (std::sregex_iterator each(kinds.begin(), kinds.end(), called), end; each != end; ++each)
+      names.insert((*each)[1]);
+  }
+  return names;
+}
+
+/// An equation stands in a header of the runtime alone. Loops' pairs of turns are in C++ only.
+TEST(RuntimeBlocks, NoTemplateOfCHasAnEquation) {
+  std::set<std::string> names = blocks_of_kinds();
+  EXPECT_EQ(names.erase("two_turns"), 1U);
+  EXPECT_GT(names.size(), 20U);
+  for (const std::string& name : names) {
+    const std::regex definition("static [A-Za-z ]+ " + name + "\\(");
+    EXPECT_TRUE(std::regex_search(emit::c::inverse_blocks(), definition)) << name;
+    for (const auto& [file, text] : emit::builtin_templates())
+      EXPECT_FALSE(file.rfind("c/", 0) == 0 && std::regex_search(text, definition))
+          << name << " is in " << file;
+  }
 }
 
 TEST(RuntimeBlocks, CommentsAreAscii) {

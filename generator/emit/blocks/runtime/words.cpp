@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/blocks/runtime/words.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace qvgen::emit::blocks::runtime {
@@ -39,24 +40,28 @@ class Words {
   }
 
  private:
-  [[nodiscard]] bool is(const char* text, std::size_t ahead = 0) const {
-    return at_ + ahead < in_.size() && in_[at_ + ahead].text == text;
+  /// Text of a word, nothing behind the last.
+  [[nodiscard]] const std::string& text(std::size_t at) const {
+    return in_[std::min(at, in_.size() - 1)].text;
+  }
+  [[nodiscard]] bool is(const char* wanted, std::size_t ahead = 0) const {
+    return text(at_ + ahead) == wanted;
   }
   [[noreturn]] void fail(const std::string& what) const { throw error_at(file_, in_[at_].line, what); }
 
   /// Place of the next such word.
-  [[nodiscard]] std::size_t next(const std::string& text) const {
+  [[nodiscard]] std::size_t next(const std::string& wanted) const {
     for (std::size_t i = at_; i < in_.size(); ++i)
-      if (in_[i].text == text) return i;
-    fail("expected " + text);
+      if (text(i) == wanted) return i;
+    fail("expected " + wanted);
   }
   /// Place of the bracket that closes the one here.
   [[nodiscard]] std::size_t closing(std::size_t from) const {
     int depth = 0;
     for (std::size_t i = from; i < in_.size(); ++i) {
-      const std::string& text = in_[i].text;
-      depth += text == "(" || text == "{" || text == "["   ? 1
-               : text == ")" || text == "}" || text == "]" ? -1
+      const std::string& word = text(i);
+      depth += word == "(" || word == "{" || word == "["   ? 1
+               : word == ")" || word == "}" || word == "]" ? -1
                                                            : 0;
       if (depth == 0) return i;
     }
@@ -68,39 +73,42 @@ class Words {
     if (!comment_.empty()) out_.back().comment = std::move(comment_);
     comment_.clear();
   }
-  void put(const std::string& text, Kind kind = Kind::sign) { put(Token{kind, text, in_[at_].line}); }
+  void put(const std::string& word, Kind kind = Kind::sign) { put(Token{kind, word, in_[at_].line}); }
   void leave_out(std::size_t behind) {
     if (!in_[at_].comment.empty()) comment_ = in_[at_].comment;
     at_ = behind;
+  }
+
+  /// Place of the first of `(`, `=`, `{` and `;`: the name that is defined stands in front of it, that of a
+  /// struct too.
+  [[nodiscard]] std::size_t behind_name() const {
+    std::size_t at = at_;
+    for (; text(at) != "(" && text(at) != "=" && text(at) != "{" && text(at) != ";"; ++at)
+      if (in_[at].kind == Kind::end) fail("a definition has no end");
+    return at;
+  }
+
+  /// Place behind a definition.
+  [[nodiscard]] std::size_t behind_definition(std::size_t behind_name) const {
+    if (text(behind_name) == ";" || text(behind_name) == "=") return next(";") + 1;
+    if (text(behind_name) == "{") return closing(behind_name) + 2;
+    std::size_t at = closing(behind_name) + 1;
+    while (text(at) != "{" && text(at) != ";" && in_[at].kind != Kind::end) ++at;
+    return text(at) == "{" ? closing(at) + 1 : at + 1;
   }
 
   void definition() {
     comment_ = in_[at_].comment;
     flag_.clear();
     if (is("template")) template_head();
-    std::size_t name = at_, end = at_;
-    for (; in_[end].text != ";" && in_[end].text != "{"; ++end) {
-      if (in_[end].text == "(") {
-        end = closing(end);
-        continue;
-      }
-      if (in_[end].text == "=") break;
-      if (in_[end].kind == Kind::name && in_[end + 1].text != ":") name = end;
-    }
-    for (std::size_t i = at_; i < end; ++i)
-      if (in_[i].text == "(") {
-        name = i - 1;
-        break;
-      }
-    const bool is_struct = is("struct"), is_function = in_[name + 1].text == "(";
-    end = in_[end].text == "{" ? closing(end) + (is_struct ? 2 : 1) : next(";") + 1;
-    const bool is_operator = in_[name].text == "operator" || in_[name - 1].text == "operator";
-    if (is("using") || is_operator || skipped_(name_in_c(in_[name].text))) {
+    const std::size_t name = behind_name() - 1, end = behind_definition(name + 1);
+    const bool is_operator = text(name) == "operator" || text(name - 1) == "operator";
+    if (is("using") || is_operator || skipped_(name_in_c(text(name)))) {
       at_ = end;
       comment_.clear();
-    } else if (is_struct) {
+    } else if (is("struct")) {
       structure(end);
-    } else if (is_function) {
+    } else if (text(name + 1) == "(") {
       function(name, end);
     } else {
       put("static", Kind::name);
@@ -111,16 +119,15 @@ class Words {
 
   /// Reads `template <typename Scalar, bool flag = false>`.
   void template_head() {
-    while (!is(">")) {
-      if (is("bool")) flag_ = in_[at_ + 1].text;
-      ++at_;
-    }
+    const std::size_t end = next(">");
+    for (; at_ < end; ++at_)
+      if (is("bool")) flag_ = text(at_ + 1);
     ++at_;
   }
 
   void structure(std::size_t end) {
     ++at_;
-    const std::string name = in_[at_].text;
+    const std::string name = text(at_);
     put("typedef", Kind::name);
     put("struct", Kind::name);
     put(name, Kind::name);
@@ -137,8 +144,8 @@ class Words {
   void field(const std::string& structure) {
     const std::size_t end = next(";");
     std::size_t stop = at_;
-    while (stop < end && in_[stop].text != "=" && in_[stop].text != "{") ++stop;
-    if (in_[stop].text == "=") known_.defaults[structure].push_back({in_[stop - 1].text, in_[stop + 1].text});
+    while (stop < end && text(stop) != "=" && text(stop) != "{") ++stop;
+    if (text(stop) == "=") known_.defaults[structure].push_back({text(stop - 1), text(stop + 1)});
     translate(stop);
     at_ = end;
     put(in_[at_++]);
@@ -146,7 +153,7 @@ class Words {
 
   void function(std::size_t name, std::size_t end) {
     put("static", Kind::name);
-    if (!flag_.empty()) known_.flagged.insert(in_[name].text);
+    if (!flag_.empty()) known_.flagged.insert(text(name));
     translate(name);
     put(in_[at_++]);
     parameters();
@@ -166,10 +173,10 @@ class Words {
     }
     while (at_ < end) {
       std::size_t stop = at_, comma = at_;
-      for (int depth = 0; comma < end && !(depth == 0 && in_[comma].text == ","); ++comma)
-        depth += in_[comma].text == "<" ? 1 : in_[comma].text == ">" ? -1 : 0;
-      while (stop < comma && in_[stop].text != "=") ++stop;
-      if (in_[stop - 1].text != "pi") {
+      for (int depth = 0; comma < end && !(depth == 0 && text(comma) == ","); ++comma)
+        depth += text(comma) == "<" ? 1 : text(comma) == ">" ? -1 : 0;
+      while (stop < comma && text(stop) != "=") ++stop;
+      if (text(stop - 1) != "pi") {
         if (out_.size() > before) put(",");
         translate(stop);
       }
@@ -244,7 +251,7 @@ class Words {
       return;
     }
     const std::size_t statement = closing(at_ + 2) + 1;
-    const bool is_block = in_[statement].text == "{";
+    const bool is_block = text(statement) == "{";
     leave_out(statement);
     if (leaves) {
       at_ = is_block ? closing(at_) + 1 : next(";") + 1;
@@ -257,12 +264,12 @@ class Words {
   }
 
   void type() {
-    const std::string cpp = in_[at_].text;
+    const std::string cpp = text(at_);
     const std::string c = cpp == "Scalar" ? "double" : cpp == "Mask" ? "bool" : cpp;
     const bool is_number = c == "double" || c == "bool",
                is_constant = !out_.empty() && out_.back().text == "const";
     const std::size_t behind = at_ + (is("<", 1) ? 4 : 1);
-    const std::string after = in_[behind].text;
+    const std::string after = text(behind);
     if (after == "(" && is_number) {
       leave_out(behind);
       return whole_number();
@@ -299,12 +306,12 @@ class Words {
   }
 
   void named() {
-    const std::string name = in_[at_].text;
+    const std::string name = text(at_);
     if (name == "auto") {
       put("int", Kind::name);
       ++at_;
     } else if ((name == "digits" || name == "range") && in_[at_ + 2].kind == Kind::number) {
-      put(name + "(" + in_[at_ + 2].text + ")", Kind::number);
+      put(name + "(" + text(at_ + 2) + ")", Kind::number);
       at_ += 4;
     } else if (name == "epsilon" && is("<", 1)) {
       put("DBL_EPSILON", Kind::name);
@@ -333,7 +340,7 @@ class Words {
     at_ += 3;
     std::string flag = known_.flagged.count(name) > 0 ? "false" : "";
     if (is(",")) {
-      flag = in_[at_ + 1].text;
+      flag = text(at_ + 1);
       at_ += 2;
     }
     ++at_;

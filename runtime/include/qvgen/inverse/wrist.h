@@ -246,7 +246,8 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Scalar both =
       select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
-  const RotorPair<Scalar> along = turns(RotorPair<Scalar>{u, v}, is_free, choice);
+  const RotorPair<Scalar> z{u, v};
+  const RotorPair<Scalar> along = turns(z, is_free, choice);
   const Rotor<Scalar> first = along.u * along.v;
   const Rotor<Scalar> last = along.u * inverse(along.v);
   const Scalar scale = Scalar(1) / sum;
