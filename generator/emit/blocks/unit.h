@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/// The C of a robot as a typed tree, from which further languages are printed. C99 is the one source of the
-/// building blocks of inverse kinematics (templates/c/inverse) and of what is around them; `parse` reads the
-/// subset that they keep to: numbers, fixed arrays, structs, if, for, while, calls, pointers as parameters or
-/// as other names of a place. What leaves it is an error with file and line. Example: `w->s = -t[1];` is
+/// The C of a robot as a typed tree, from which further languages are printed. `runtime/` makes C of the
+/// equations in headers of the C++ runtime; what is around them is C99 (templates/c/inverse). `parse` reads
+/// the subset that all keep to: numbers, fixed arrays, structs, if, for, while, calls, pointers as parameters
+/// or as other names of a place. What leaves it is an error with file and line. Example: `w->s = -t[1];` is
 ///
 ///     assign "=" (member "s" (dereference (name "w"))) (negative (index (name "t") (integer "1")))
 namespace qvgen::emit::blocks {
