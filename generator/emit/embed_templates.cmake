@@ -2,7 +2,8 @@
 # cmake -DOUTPUT=file.cpp -DFOLDER=templates -DRUNTIME=runtime/include/qvgen -P embed_templates.cmake: writes the templates
 # as one C++ table, so that the tool is a single file that works from anywhere. A key is a file's path in the folder without
 # ".mustache": "cpp/inverse.h". In C each tolerance_NAME and constant_NAME becomes the number that a header of the runtime
-# gives that name by `inline constexpr double NAME = ...;`, so that a number stands once.
+# gives that name by `inline constexpr double NAME = ...;`, so that a number stands once. Headers of the runtime that C is
+# made of (HEADERS) are entries, too: "runtime/roots.h", with numbers in the place of tolerance::NAME and constant::NAME.
 set(numbers "")
 function(read_numbers prefix header)
   file(READ "${RUNTIME}/${header}" text)
@@ -30,21 +31,22 @@ endfunction()
 file(GLOB_RECURSE paths RELATIVE "${FOLDER}" "${FOLDER}/*")
 list(SORT paths)
 set(entries "")
-set(blocks "")
 foreach(path IN LISTS paths)
   file(READ "${FOLDER}/${path}" text)
   if(path MATCHES "^c/")
     with_numbers("${text}" text)
   endif()
-  if(path MATCHES "^c/inverse/")
-    # All robots in C share these blocks, which are put one behind the other and not filled in.
-    string(APPEND blocks "       R\"~template~(${text}\n)~template~\"\n")
-    continue()
-  endif()
   string(REGEX REPLACE "\\.mustache$" "" key "${path}")
   string(APPEND entries "      {\"${key}\", R\"~template~(${text})~template~\"},\n")
 endforeach()
-string(APPEND entries "      {\"c/inverse_blocks\",\n${blocks}      },\n")
+foreach(name IN LISTS HEADERS)
+  set(path "runtime/${name}")
+  file(READ "${RUNTIME}/inverse/${name}" text)
+  string(REPLACE "tolerance::digits(" "digits(" text "${text}")
+  string(REGEX REPLACE "(tolerance|constant)::" "\\1_" text "${text}")
+  with_numbers("${text}" text)
+  string(APPEND entries "      {\"${path}\", R\"~template~(${text})~template~\"},\n")
+endforeach()
 file(WRITE "${OUTPUT}.new" "#include \"emit/builtin_templates.h\"
 
 namespace qvgen::emit {

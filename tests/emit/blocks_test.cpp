@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // C read as a tree and printed in other languages: golden texts, and what leaves the subset is refused with
 // its place.
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <regex>
-#include <sstream>
+#include "emit/c/inverse/blocks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -147,21 +143,8 @@ TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   EXPECT_THAT(error_of_blocks("double x;\n"), HasSubstr("a variable outside of functions"));
 }
 
-std::vector<std::filesystem::path> block_files() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/templates/c/inverse"))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// Some number in the place of each that the runtime names.
-std::string with_numbers(const std::string& text) {
-  return std::regex_replace(text, std::regex(R"(\b(tolerance|constant)_[a-z_0-9]+)"), "1.0");
-}
-
-/// All blocks of inverse kinematics, as files of their own: an error names the template.
-TEST(Blocks, TheTemplatesAreInTheSubset) {
+/// All blocks of inverse kinematics: templates, and what is read from headers of the runtime.
+TEST(Blocks, AllAreInTheSubset) {
   const std::string sizes = R"(
 enum { dof = 6, whole_dof = 8, first_inner = 1, bounded = 7, turn_count = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8 };
 enum { status_solved, status_singular, status_unreachable, status_invalid, status_incomplete };
@@ -212,13 +195,7 @@ static void motors_by(const double* of, double* motors) {
 }
 )";
   std::vector<File> files{{"sizes", "inverse", false, sizes}};
-  for (const std::filesystem::path& path : block_files()) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    files.push_back(
-        {path.filename(), "inverse", false, emit::c::in_double_precision(with_numbers(text.str()))});
-  }
+  files.push_back({"blocks", "inverse", false, emit::c::in_double_precision(emit::c::inverse_blocks())});
   const Unit unit = parse("arm", files);
   EXPECT_GT(unit.functions.size(), 200U);
   EXPECT_NO_THROW((void)emit::rust::crate(unit, {}));

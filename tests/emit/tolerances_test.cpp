@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "emit/builtin_templates.h"
+#include "emit/c/inverse/blocks.h"
 
 namespace qvgen::emit {
 namespace {
@@ -43,7 +43,7 @@ TEST(Tolerances, BlocksInCHaveNone) {
 }
 
 TEST(Tolerances, NamesBecomeTheRuntimesNumbers) {
-  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
+  const std::string& blocks = c::inverse_blocks();
   EXPECT_FALSE(std::regex_search(blocks, std::regex("tolerance_[a-z]")));
   std::smatch found;
   ASSERT_TRUE(

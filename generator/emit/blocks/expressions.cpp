@@ -10,9 +10,6 @@ namespace qvgen::emit::blocks {
 
 using Kind = Expression::Kind;
 
-namespace {
-
-/// Precedence of an operator; 0 if it is none.
 int precedence(const std::string& sign) {
   static const std::map<std::string, int> all{
       {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
@@ -20,6 +17,8 @@ int precedence(const std::string& sign) {
   const auto known = all.find(sign);
   return known == all.end() ? 0 : known->second;
 }
+
+namespace {
 
 bool is_truth(const std::string& sign) {
   return precedence(sign) <= 2 || (precedence(sign) >= 6 && precedence(sign) <= 7);
@@ -31,6 +30,8 @@ Type::Kind result_of_library(const std::string& name) {
   return name == "memcpy" || name == "memset" ? Type::Kind::nothing : Type::Kind::real;
 }
 
+}  // namespace
+
 bool is_of_library(const std::string& name) {
   for (const char* each : {"sin",      "cos",   "tan",   "asin",     "acos",    "atan",   "atan2", "sqrt",
                            "cbrt",     "fabs",  "fmax",  "fmin",     "rint",    "floor",  "ceil",  "trunc",
@@ -38,8 +39,6 @@ bool is_of_library(const std::string& name) {
     if (name == each) return true;
   return false;
 }
-
-}  // namespace
 
 Expression Parser::made(Kind kind, const std::string& text, Expressions operands, TypeRef type) const {
   return {kind, text, std::move(operands), std::move(type), peek().line};
@@ -66,7 +65,7 @@ Expression Parser::expression() {
   for (const char* sign : {"=", "+=", "-=", "*=", "/=", "|=", "&="})
     if (is(sign)) {
       take();
-      Expression right = expression();
+      Expression right = is("{") ? listed(left.type) : expression();
       TypeRef type = left.type;
       return made(Kind::assign, sign, {std::move(left), std::move(right)}, type);
     }
@@ -95,11 +94,15 @@ Expression Parser::binary(int least) {
     if (own == 0 || own < least) return left;
     take();
     Expression right = binary(own + 1);
-    TypeRef type = is_truth(sign)                 ? basic(Type::Kind::boolean)
-                   : sign == "<<" || sign == ">>" ? left.type
-                                                  : common(left.type, right.type);
-    left = made(Kind::binary, sign, {std::move(left), std::move(right)}, type);
+    left = combined(sign, std::move(left), std::move(right));
   }
+}
+
+Expression Parser::combined(const std::string& sign, Expression left, Expression right) const {
+  TypeRef type = is_truth(sign)                 ? basic(Type::Kind::boolean)
+                 : sign == "<<" || sign == ">>" ? left.type
+                                                : common(left.type, right.type);
+  return made(Kind::binary, sign, {std::move(left), std::move(right)}, type);
 }
 
 Expression Parser::unary() {
@@ -184,7 +187,7 @@ Expression Parser::behind(Expression object) {
       if (!type) fail("an index of what is no array");
       object = made(Kind::index, "", {std::move(object), std::move(index)}, type);
     } else if (accept(".")) {
-      object = field_of(std::move(object), name());
+      object = part_of(std::move(object));
     } else if (accept("->")) {
       TypeRef pointed = object.type->of;
       if (object.type->kind != Type::Kind::pointer) fail("-> behind what is no pointer");
@@ -200,12 +203,20 @@ Expression Parser::behind(Expression object) {
   }
 }
 
+Expression Parser::part_of(Expression object) { return field_of(std::move(object), name()); }
+
+Expression Parser::variable(const std::string& name) {
+  Expression result = made(Kind::name, name, {}, type_of(name));
+  result.is_global = !is_local(name);
+  return result;
+}
+
 Expression Parser::primary() {
   const Token token = take();
   if (token.kind == Token::Kind::number) {
     std::string text = token.text;
-    const bool hexadecimal = text.compare(0, 2, "0x") == 0;
-    if (text.find_first_of(hexadecimal ? ".p" : ".eE") != std::string::npos)
+    const bool hexadecimal = text.compare(0, 2, "0x") == 0, is_marked = text.back() == ')';
+    if (is_marked || text.find_first_of(hexadecimal ? ".p" : ".eE") != std::string::npos)
       return made(Kind::real, text, {}, basic(Type::Kind::real));
     const bool natural = text.back() == 'U';
     if (natural) text.pop_back();
@@ -220,9 +231,7 @@ Expression Parser::primary() {
     return made(Kind::boolean, token.text, {}, basic(Type::Kind::boolean));
   if (token.text == "NULL") return made(Kind::null, "", {}, pointer_to(basic(Type::Kind::nothing), true));
   if (is("(")) return call(token.text);
-  Expression result = made(Kind::name, token.text, {}, type_of(token.text));
-  result.is_global = !is_local(token.text);
-  return result;
+  return variable(token.text);
 }
 
 Expression Parser::call(const std::string& name) {
@@ -230,16 +239,20 @@ Expression Parser::call(const std::string& name) {
   if (known == nullptr && !is_of_library(name)) fail("the function " + name + " is not declared");
   const TypeRef result = known != nullptr ? known->result : basic(result_of_library(name));
   const std::size_t wanted = known != nullptr ? known->parameters.size() : 0;
-  Expressions arguments;
+  Expressions list = arguments();
+  if (known != nullptr && list.size() != wanted) fail("another number of arguments than " + name + " has");
+  return made(Kind::call, name, std::move(list), result);
+}
+
+Expressions Parser::arguments() {
+  Expressions list;
   expect("(");
   if (!is(")")) {
-    do arguments.push_back(conditional());
+    do list.push_back(conditional());
     while (accept(","));
   }
   expect(")");
-  if (known != nullptr && arguments.size() != wanted)
-    fail("another number of arguments than " + name + " has");
-  return made(Kind::call, name, std::move(arguments), result);
+  return list;
 }
 
 Expression Parser::initializer(const TypeRef& type) { return is("{") ? listed(type) : conditional(); }

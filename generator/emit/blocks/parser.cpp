@@ -178,6 +178,7 @@ void Parser::function(const Specifiers& all, const Declarator& declared,
   if (known != functions.end()) functions.erase(known);
   functions.push_back(made);
   if (accept(";")) return;
+  result_ = made.result;
   locals_.emplace_back();
   for (const Field& each : made.parameters) locals_.back()[each.name] = each.type;
   Statements body = block();

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emit/blocks/lexer.h"
@@ -21,11 +22,14 @@ struct Scope {
 
 class Parser {
  public:
-  Parser(const File& file, Scope& scope) : file_(file), scope_(scope), tokens_(tokens_of(file)) {}
+  Parser(const File& file, Scope& scope) : Parser(file, scope, tokens_of(file)) {}
+  Parser(const File& file, Scope& scope, std::vector<Token> tokens)
+      : file_(file), scope_(scope), tokens_(std::move(tokens)) {}
+  virtual ~Parser() = default;
 
   void run();
 
- private:
+ protected:
   struct Declarator {
     std::string name;
     TypeRef type;
@@ -70,7 +74,7 @@ class Parser {
   // Statements: statements.cpp.
   Statements block();
   Statement statement();
-  Statements declarations();
+  virtual Statements declarations();
   Statement loop_for();
   Statement choose();
   Statement simple();
@@ -80,13 +84,17 @@ class Parser {
   Expression expression();
   Expression conditional();
   Expression binary(int least);
+  [[nodiscard]] virtual Expression combined(const std::string& sign, Expression left, Expression right) const;
   Expression unary();
   Expression cast_or_brackets();
   Expression size_of();
   Expression postfix();
   Expression behind(Expression object);
+  virtual Expression part_of(Expression object);
   Expression primary();
-  Expression call(const std::string& name);
+  virtual Expression variable(const std::string& name);
+  virtual Expression call(const std::string& name);
+  Expressions arguments();
   Expression initializer(const TypeRef& type);
   Expression listed(const TypeRef& type);
   [[nodiscard]] Expression field_of(Expression object, const std::string& field) const;
@@ -100,6 +108,12 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::vector<std::map<std::string, TypeRef>> locals_;
+  TypeRef result_ = {};  ///< of the function that is read
 };
+
+/// Precedence of an operator of two operands; 0 if it is none.
+int precedence(const std::string& sign);
+/// True for functions of <math.h> and <string.h> that blocks call.
+bool is_of_library(const std::string& name);
 
 }  // namespace qvgen::emit::blocks

@@ -112,7 +112,7 @@ Statement Parser::simple() {
     result.kind = Kind::give;
   else if (is(";"))
     result.kind = Kind::nothing;
-  if (!is(";")) result.values = {expression()};
+  if (!is(";")) result.values = {is("{") ? listed(result_) : expression()};
   expect(";");
   return result;
 }

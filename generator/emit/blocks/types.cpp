@@ -17,6 +17,10 @@ TypeRef pointer_to(const TypeRef& element, bool constant, int size) {
   return std::make_shared<const Type>(Type{Kind::pointer, "", element, size, constant});
 }
 
+TypeRef reference_to(const TypeRef& type, bool constant) {
+  return std::make_shared<const Type>(Type{Kind::pointer, "", type, 0, constant, true});
+}
+
 bool is_number(const TypeRef& type) {
   return type->kind == Kind::real || type->kind == Kind::integer || type->kind == Kind::natural ||
          type->kind == Kind::boolean;
@@ -72,6 +76,7 @@ Parser::Declarator Parser::declarator(const Specifiers& all, bool is_parameter) 
     type = pointer_to(type, constant);
     constant = accept("const");
   }
+  if (accept("&")) type = reference_to(type, constant);
   if (is("(") && is("*", 1)) fail("pointers to arrays or to functions are not in the subset");
   Declarator declared{name(), type};
   std::vector<int> sizes;

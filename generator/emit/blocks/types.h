@@ -13,6 +13,7 @@ TypeRef basic(Type::Kind kind);
 TypeRef structure_type(const std::string& name);
 TypeRef array_of(const TypeRef& element, int size);
 TypeRef pointer_to(const TypeRef& element, bool constant, int size = 0);
+TypeRef reference_to(const TypeRef& type, bool constant);
 
 bool is_number(const TypeRef& type);
 /// Type of a result of both.

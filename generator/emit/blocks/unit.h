@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/// The C of a robot as a typed tree, from which further languages are printed. C99 is the one source of the
-/// building blocks of inverse kinematics (templates/c/inverse) and of what is around them; `parse` reads the
-/// subset that they keep to: numbers, fixed arrays, structs, if, for, while, calls, pointers as parameters or
-/// as other names of a place. What leaves it is an error with file and line. Example: `w->s = -t[1];` is
+/// The C of a robot as a typed tree, from which further languages are printed. `runtime/` makes C of the
+/// equations in headers of the C++ runtime; what is around them is C99 (templates/c/inverse). `parse` reads
+/// the subset that all keep to: numbers, fixed arrays, structs, if, for, while, calls, pointers as parameters
+/// or as other names of a place. What leaves it is an error with file and line. Example: `w->s = -t[1];` is
 ///
 ///     assign "=" (member "s" (dereference (name "w"))) (negative (index (name "t") (integer "1")))
 namespace qvgen::emit::blocks {
@@ -25,10 +25,11 @@ using TypeRef = std::shared_ptr<const Type>;
 struct Type {
   enum class Kind { nothing, real, integer, natural, boolean, text, structure, array, pointer };
   Kind kind = Kind::nothing;
-  std::string name = {};  ///< of a structure
-  TypeRef of = {};        ///< element of an array or what a pointer points at
-  int size = 0;           ///< of an array; of a pointer parameter that says it: "double x[3]"; else 0
-  bool constant = false;  ///< of what a pointer points at
+  std::string name = {};   ///< of a structure
+  TypeRef of = {};         ///< element of an array or what a pointer points at
+  int size = 0;            ///< of an array; of a pointer parameter that says it: "double x[3]"; else 0
+  bool constant = false;   ///< of what a pointer points at
+  bool reference = false;  ///< a pointer whose name stands for what it points at, as in C++
 };
 
 struct Expression {

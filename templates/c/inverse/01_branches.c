@@ -99,6 +99,12 @@ static Boundary tolerant_boundary(double tolerance) {
   return b;
 }
 
+/// True if this is the pass of a regular pose.
+static inline bool is_plain(const Boundary* boundary) { return boundary->doubt > 0; }
+
+/// Two roots closer than this share of their range are one double root.
+static inline double merge_share(void) { return 18 * DBL_EPSILON; }
+
 /// Back to a fork; doubts stay.
 static inline void resume(Branch* branch, const Branch* fork) {
   branch->exists = fork->exists;

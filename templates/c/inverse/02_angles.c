@@ -1,4 +1,5 @@
-// Angles, and pairs of a cosine and a sine: angles.h and arctangent.h of the C++ library.
+// Arctangents, and pairs of a cosine and a sine, as arctangent.h of the C++ library has them: what blocks that are read
+// from its headers are made of.
 
 static const double pi = constant_pi;
 
@@ -21,13 +22,6 @@ static inline Rotor scaled(double factor, Rotor a) { return rotor(factor * a.cos
 static inline Rotor inverse(Rotor a) { return rotor(a.cosine, -a.sine); }
 
 static inline double square_of(Rotor a) { return a.cosine * a.cosine + a.sine * a.sine; }
-
-/// A small turn, by 2 atan(angle/2): exact in length; far ones end at half a turn.
-static Rotor turned_by(Rotor u, double angle) {
-  const double t = angle / 2;
-  const double scale = 1 / (1 + t * t);
-  return product(rotor((1 - t) * (1 + t) * scale, 2 * t * scale), u);
-}
 
 /// (atan(t)/t - 1) / t^2 in z = t^2 <= 0.2025, error below 2^-56 of atan(t)/t (minimax).
 static inline double arctangent_series(double z) {
@@ -140,104 +134,11 @@ typedef struct Opposites {
   double one, other;
 } Opposites;
 
-static inline Opposites output_angles(double cosine, double sine, double length) {
-  const Tangent found = tangent(sine, cosine, length);
-  const double one = (found.axis + found.twice) + found.rest;
-  const double other = ((found.axis - copysign(pi, sine)) + found.twice) + found.rest;
-  const Opposites both = {one <= -pi ? pi : one, other <= -pi ? pi : other};
+static inline Opposites opposite_arctangents(double y, double x, double length) {
+  const Tangent found = tangent(y, x, length);
+  const Opposites both = {(found.axis + found.twice) + found.rest,
+                          ((found.axis - copysign(pi, y)) + found.twice) + found.rest};
   return both;
-}
-
-/// Returns, of all directions that a vector may have after rounding, its end within a disc, the one nearest to the
-/// preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's radius.
-/// `opposites`: the opposite direction is another branch.
-static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, bool opposites) {
-  Rotor choice = preferred;
-  Rotor off = product(choice, inverse(unit));
-  if (opposites && off.cosine < 0) {
-    choice = scaled(-1, choice);
-    off = scaled(-1, off);
-  }
-  const double share = smaller(disc / square, 1);
-  const double sine = sqrt(share);
-  if (off.cosine > 0 && fabs(off.sine) <= sine) return choice;
-  return product(rotor(sqrt(1 - share), with_sign(sine, off.sine)), unit);
-}
-
-/// Below this multiple of what is noise for sure rounding can be seen in a direction.
-static inline bool is_blurred(double square, double noise) { return square <= tolerance_blurred * noise; }
-
-static const double widest_blur = 64;
-
-/// A pair brought to length one. Where its squared length is below `tiny` it is the choice, and the branch is
-/// marked.
-static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branch* branch) {
-  const double square = square_of(v);
-  const bool is_free = square <= tiny;
-  branch->continuum = branch->continuum || (branch->exists && is_free);
-  doubt(branch, square <= tolerance_blurred * tiny);
-  if (is_free) return choice;
-  const Rotor unit = scaled(1 / sqrt(square), v);
-  return is_blurred(square, tiny) ? turned_to(choice, unit, square, widest_blur * tiny, opposites) : unit;
-}
-
-/// Length of a choice that takes the place of a direction without length.
-static const double brief_length = digits(0x1p-100);
-
-/// A pair left as long as it is; a free one is the caller's choice, of `brief_length`.
-static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_choice, bool opposites,
-                            double* length, Branch* branch) {
-  if (!is_blurred(square, tiny)) return v;
-  const bool is_free = square <= tiny;
-  branch->continuum = branch->continuum || (branch->exists && is_free);
-  if (is_free) {
-    *length = brief_length;
-    return brief_choice;
-  }
-  return scaled(*length, turned_to(scaled(1 / brief_length, brief_choice), scaled(1 / *length, v), square,
-                                   widest_blur * tiny, opposites));
-}
-
-/// Returns the direction of a vector and its length.
-static inline Rotor span(bool opposites, Rotor v, double tiny, Rotor brief_choice, double* length,
-                         Branch* branch) {
-  const double square = square_of(v);
-  *length = sqrt(square);
-  return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
-}
-
-/// Returns the direction of a vector whose length is known but for rounding: a Newton step corrects it without waiting
-/// for a root.
-static inline Rotor span_of_length(bool opposites, Rotor v, double about, double tiny, Rotor brief_choice,
-                                   double* length, Branch* branch) {
-  const double square = square_of(v);
-  *length = 0.5 * about + square * (0.5 / about);
-  return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
-}
-
-/// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair.
-static inline Rotor half(Rotor r) {
-  const double longer = sqrt((1 + fabs(r.cosine)) / 2);
-  const double other = r.sine / (2 * longer);
-  return r.cosine >= 0 ? rotor(longer, other) : rotor(fabs(other), with_sign(longer, r.sine));
-}
-
-/// The direction of half the angle of a pair of the given length, for wrists: its squared length is between 2
-/// and 4 times the pair's.
-static inline Rotor half_direction(Rotor r, double length) {
-  const double longer = length + fabs(r.cosine);
-  return r.cosine >= 0 ? rotor(longer, r.sine) : rotor(fabs(r.sine), with_sign(longer, r.sine));
-}
-
-/// (-pi, pi] of an angle in (-3 pi, 3 pi].
-static inline double wrapped(double angle) {
-  return angle + (angle > pi ? -2 * pi : angle <= -pi ? 2 * pi : 0);
-}
-
-/// angle + pi for an angle in (-pi, pi], again in (-pi, pi].
-static inline double opposite(double angle) {
-  const double turned = angle + (angle > 0 ? -pi : pi);
-  return turned <= -pi ? pi : turned;
 }
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emit/blocks/reached.h"
-#include "emit/builtin_templates.h"
+#include "emit/c/inverse/blocks.h"
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/tidy.h"
 #include "emit/inverse/arm.h"
@@ -190,9 +190,8 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, const json& given) {
   json values = given;
   add_sizes(robot, arm, values);
-  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
-      render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
+      render("c/solve_sizes.c", values) + "\n" + inverse_blocks() + "\n" + render("c/solve.c", values);
   return {render("c/solutions.h", values),
           render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }

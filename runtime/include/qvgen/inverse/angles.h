@@ -56,8 +56,8 @@ Scalar output_angle(const Rotor<Scalar>& rotor, const Scalar& length, const Scal
 
 /// Returns the angle of a direction and the angle of the opposite direction, both in (-pi, pi].
 template <typename Scalar>
-Opposites<Scalar> output_angles(const Rotor<Scalar>& rotor, const Scalar& length, const Scalar& pi) {
-  const Opposites<Scalar> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
+Opposites<Scalar> output_angles(const Rotor<Scalar>& u, const Scalar& length, const Scalar& pi) {
+  const Opposites<Scalar> value = opposite_arctangents(u.sine, u.cosine, length, pi);
   return {select(value.one <= -pi, pi, value.one), select(value.other <= -pi, pi, value.other)};
 }
 
@@ -128,7 +128,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
 
 /// Length of a choice that takes the place of a direction without length: as good as zero, and far from
 /// underflow.
-inline constexpr double brief_length = 0x1p-100;
+inline constexpr double brief_length = tolerance::digits(0x1p-100);
 
 /// A pair left as long as it is. A free one is the caller's choice, of `brief_length`: what is computed from
 /// its length is then as good as zero, as it should be, and its direction is still exact. `length` is known
@@ -176,23 +176,22 @@ Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const 
 
 /// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair, accurate near 0 and near pi.
 template <typename Scalar>
-Rotor<Scalar> half(const Rotor<Scalar>& rotor) {
+Rotor<Scalar> half(const Rotor<Scalar>& u) {
   using std::sqrt;
-  const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
-  const Scalar larger = sqrt((Scalar(1) + magnitude(rotor.cosine)) / Scalar(2));
-  const Scalar other = rotor.sine / (Scalar(2) * larger);
-  return {select(acute, larger, magnitude(other)), select(acute, other, with_sign(larger, rotor.sine))};
+  const Mask<Scalar> acute = u.cosine >= Scalar(0);
+  const Scalar longer = sqrt((Scalar(1) + magnitude(u.cosine)) / Scalar(2));
+  const Scalar other = u.sine / (Scalar(2) * longer);
+  return {select(acute, longer, magnitude(other)), select(acute, other, with_sign(longer, u.sine))};
 }
 
 /// The direction of half the angle of a pair of the given length, without root and quotient: its squared
 /// length is between 2 and 4 times the pair's. For wrists, to which the length of their matrix does not
 /// matter.
 template <typename Scalar>
-Rotor<Scalar> half_direction(const Rotor<Scalar>& rotor, const Scalar& length) {
-  const Mask<Scalar> acute = rotor.cosine >= Scalar(0);
-  const Scalar longer = length + magnitude(rotor.cosine);
-  return {select(acute, longer, magnitude(rotor.sine)),
-          select(acute, rotor.sine, with_sign(longer, rotor.sine))};
+Rotor<Scalar> half_direction(const Rotor<Scalar>& u, const Scalar& length) {
+  const Mask<Scalar> acute = u.cosine >= Scalar(0);
+  const Scalar longer = length + magnitude(u.cosine);
+  return {select(acute, longer, magnitude(u.sine)), select(acute, u.sine, with_sign(longer, u.sine))};
 }
 
 /// (-pi, pi] of an angle in (-3 pi, 3 pi].

@@ -13,16 +13,21 @@ struct CubicRoots {
   std::array<Scalar, 3> root{};
 };
 
+/// Returns x³ + b x² + c x + d.
+template <typename Scalar>
+Scalar cubic(const Scalar& x, const Scalar& b, const Scalar& c, const Scalar& d) {
+  return ((x + b) * x + c) * x + d;
+}
+
 /// Two Newton steps on x³ + b x² + c x + d, taken only where they help.
 template <typename Scalar>
 Scalar polished_cubic_root(Scalar x, const Scalar& b, const Scalar& c, const Scalar& d) {
   using std::abs;
-  const auto value = [&](const Scalar& t) { return Scalar(((t + b) * t + c) * t + d); };
   for (int step = 0; step < 2; ++step) {
     const Scalar slope = (Scalar(3) * x + Scalar(2) * b) * x + c;
     if (slope == Scalar(0)) return x;
-    const Scalar next = x - value(x) / slope;
-    if (!(abs(value(next)) < abs(value(x)))) return x;
+    const Scalar next = x - cubic(x, b, c, d) / slope;
+    if (!(abs(cubic(next, b, c, d)) < abs(cubic(x, b, c, d)))) return x;
     x = next;
   }
   return x;
@@ -39,23 +44,23 @@ CubicRoots<Scalar> real_cubic(const Scalar& b, const Scalar& c, const Scalar& d,
   const Scalar shift = b / Scalar(3);
   const Scalar p = c - b * shift;
   const Scalar q = Scalar(2) * shift * shift * shift - shift * c + d;
-  const Scalar half = q / Scalar(2);
-  const Scalar discriminant = half * half + p * p * p / Scalar(27);
+  const Scalar middle = q / Scalar(2);
+  const Scalar discriminant = middle * middle + p * p * p / Scalar(27);
   CubicRoots<Scalar> found;
   if (discriminant > Scalar(0)) {
-    const Scalar u = cbrt(Scalar(-half - with_sign(sqrt(discriminant), half)));
+    const Scalar u = cbrt(Scalar(-middle - with_sign(sqrt(discriminant), middle)));
     found.count = 1;
     found.root[0] = u == Scalar(0) ? u : Scalar(u - p / (Scalar(3) * u));
   } else {
     const Scalar radius = Scalar(2) * sqrt(not_negative(Scalar(-p / Scalar(3))));
-    const Scalar third = atan2(sqrt(not_negative(Scalar(-discriminant))), Scalar(-half)) / Scalar(3);
+    const Scalar third = atan2(sqrt(not_negative(Scalar(-discriminant))), Scalar(-middle)) / Scalar(3);
     found.count = 3;
     for (int k = 0; k < 3; ++k)
       found.root[static_cast<std::size_t>(k)] = radius * cos(Scalar(third - Scalar(2 * k) * pi / Scalar(3)));
   }
   for (int k = 0; k < found.count; ++k) {
-    Scalar& x = found.root[static_cast<std::size_t>(k)];
-    x = polished_cubic_root(Scalar(x - shift), b, c, d);
+    const auto at = static_cast<std::size_t>(k);
+    found.root[at] = polished_cubic_root(Scalar(found.root[at] - shift), b, c, d);
   }
   return found;
 }

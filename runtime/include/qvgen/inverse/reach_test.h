@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/rows.h>
 #include <qvgen/inverse/target.h>
 #include <qvgen/unit_tolerance.h>
@@ -40,18 +41,6 @@ enum class ReachTest {
       square * (1 + tolerance::reach_rounding) + tolerance::reach_per_tolerance * square * tolerance)
     return ReachTest::open;
   return distance < std::numeric_limits<double>::infinity() ? ReachTest::unreachable : ReachTest::invalid;
-}
-
-/// True if a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
-/// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
-template <typename Scalar>
-[[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,
-                                                   const Boundary& boundary) {
-  const Scalar off = magnitude(Scalar(middle - Scalar(0.5)));
-  const Scalar half = Scalar(0.5) + Scalar(boundary.beyond);
-  const Scalar same_end = off - half;
-  const Scalar both_ends = off + half;
-  return (same_end > Scalar(0) && same_end * same_end > swing) || both_ends * both_ends < swing;
 }
 
 }  // namespace qvgen::inverse

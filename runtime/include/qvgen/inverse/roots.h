@@ -10,20 +10,20 @@ template <typename Scalar>
 struct Limits {
   Scalar doubt, beyond, accept, unsure;
   bool wide;
-
-  explicit Limits(const Boundary& boundary)
-      : doubt(boundary.doubt),
-        beyond(-boundary.beyond),
-        accept(-boundary.accept),
-        unsure(boundary.unsure),
-        wide(boundary.wide) {}
-  Limits(const Boundary& boundary, const Scalar& range)
-      : doubt(Scalar(boundary.doubt) * range),
-        beyond(Scalar(-boundary.beyond) * range),
-        accept(Scalar(-boundary.accept) * range),
-        unsure(boundary.is_plain() ? doubt : Scalar(Scalar(boundary.unsure) * range)),
-        wide(boundary.wide) {}
 };
+
+template <typename Scalar>
+Limits<Scalar> limits_of(const Boundary& boundary) {
+  return {Scalar(boundary.doubt), Scalar(-boundary.beyond), Scalar(-boundary.accept), Scalar(boundary.unsure),
+          boundary.wide};
+}
+
+template <typename Scalar>
+Limits<Scalar> limits_in_range(const Boundary& boundary, const Scalar& range) {
+  const Scalar doubt = Scalar(boundary.doubt) * range;
+  return {doubt, Scalar(-boundary.beyond) * range, Scalar(-boundary.accept) * range,
+          boundary.is_plain() ? doubt : Scalar(Scalar(boundary.unsure) * range), boundary.wide};
+}
 
 /// True if a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
 template <typename Scalar>
@@ -35,6 +35,21 @@ void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar
   branch.exists = branch.exists & ((margin >= limits.accept) | nearly_free);
 }
 
+/// Returns the angle of `circle_angle`, which exists wherever it is nearly free.
+template <typename Scalar>
+Rotor<Scalar> circle_from(const Scalar& low, const Scalar& high, const Scalar& scale, const Scalar& sign,
+                          const Boundary& boundary, const Mask<Scalar>& nearly_free, Branch<Scalar>& branch) {
+  using std::sqrt;
+  const Scalar sine2 = low * scale;
+  const Scalar cosine2 = high * scale;
+  admit(smaller(sine2, cosine2), limits_of<Scalar>(boundary), nearly_free, branch);
+  const Scalar least(boundary.floor);
+  // The root of low * high, which need not wait for the shares.
+  const Scalar height =
+      sqrt(larger(Scalar(low * high), boundary.floor == 0 ? least : Scalar(least / (scale * scale))));
+  return {larger(cosine2, least) - larger(sine2, least), (Scalar(2) * sign * magnitude(scale)) * height};
+}
+
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1
 /// / (low + high).
 ///
@@ -43,17 +58,8 @@ void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar
 /// cancellation, so the angle is exact to rounding at φ = 0 and φ = pi; both may have their signs flipped.
 template <typename Scalar>
 Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& scale, const Scalar& sign,
-                           const Boundary& boundary, Branch<Scalar>& branch,
-                           const Mask<Scalar>& nearly_free = Mask<Scalar>(false)) {
-  using std::sqrt;
-  const Scalar sine2 = low * scale;
-  const Scalar cosine2 = high * scale;
-  admit(smaller(sine2, cosine2), Limits<Scalar>(boundary), nearly_free, branch);
-  const Scalar floor(boundary.floor);
-  // The root of low * high, which need not wait for the shares.
-  const Scalar height =
-      sqrt(larger(Scalar(low * high), boundary.floor == 0 ? floor : Scalar(floor / (scale * scale))));
-  return {larger(cosine2, floor) - larger(sine2, floor), (Scalar(2) * sign * magnitude(scale)) * height};
+                           const Boundary& boundary, Branch<Scalar>& branch) {
+  return circle_from(low, high, scale, sign, boundary, Mask<Scalar>(false), branch);
 }
 
 /// True if a direction of the given square is nearly free, or the nearer end of its range so near that
@@ -77,8 +83,8 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
   const Scalar gap = high - low;
   const Mask<Scalar> is_free = square <= tiny;
   Branch<Scalar> regular = branch;
-  const Rotor<Scalar> turn = circle_angle(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary,
-                                          regular, nearly_free(square, low, high, tiny, boundary));
+  const Rotor<Scalar> turn = circle_from(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary,
+                                         nearly_free(square, low, high, tiny, boundary), regular);
   branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
@@ -101,12 +107,12 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar low_share = low * scale;
   const Scalar high_share = high * scale;
   Branch<Scalar> regular = branch;
-  admit(smaller(low_share, high_share), Limits<Scalar>(boundary),
+  admit(smaller(low_share, high_share), limits_of<Scalar>(boundary),
         nearly_free(square, low, high, tiny, boundary), regular);
   branch.take(is_free, rhs * rhs <= Scalar(boundary.gap) * tiny, regular);
-  const Scalar floor(boundary.floor);
+  const Scalar least(boundary.floor);
   const Scalar height =
-      sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
+      sign * magnitude(range) * sqrt(Scalar(larger(low_share, least) * larger(high_share, least)));
   const Scalar length_square = rhs * rhs + height * height;
   // If all three vanish but for rounding, Newton's steps may begin with any direction.
   const Mask<Scalar> is_nothing = length_square == Scalar(0);
@@ -126,12 +132,12 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
                                   const Scalar& inner, const Scalar& outer, const Rotor<Scalar>& choice,
                                   const Boundary& boundary = {}) {
   using std::sqrt;
-  const Rotor<Scalar> product = inverse(point) * offset;
-  const Scalar square = product.cosine * product.cosine + product.sine * product.sine;
-  const Mask<Scalar> round = square == Scalar(0);
-  const Scalar length = sqrt(select(round, Scalar(1), square));
-  const Rotor<Scalar> along{select(round, Scalar(1), Scalar(product.cosine / length)),
-                            select(round, Scalar(0), Scalar(product.sine / length))};
+  const Rotor<Scalar> both = inverse(point) * offset;
+  const Scalar square = both.cosine * both.cosine + both.sine * both.sine;
+  const Mask<Scalar> is_round = square == Scalar(0);
+  const Scalar length = sqrt(select(is_round, Scalar(1), square));
+  const Rotor<Scalar> along{select(is_round, Scalar(1), Scalar(both.cosine / length)),
+                            select(is_round, Scalar(0), Scalar(both.sine / length))};
   const Rotor<Scalar> now = choice * along;
   const Scalar sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine +
                      offset.sine * offset.sine;
@@ -144,10 +150,10 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   const Scalar within = select(above > high, Scalar(high - inside), above);
   const Scalar cosine = smaller(larger(within, Scalar(-1)), Scalar(1));
   Scalar side = now.sine;
-  Mask<Scalar> stays = (cosine == now.cosine) | round;
+  Mask<Scalar> stays = (cosine == now.cosine) | is_round;
   if constexpr (!leaves_singular_poses<Scalar>) {
     if (boundary.opposite) {
-      const Mask<Scalar> crosses = (least > Scalar(-1)) & (most < Scalar(1)) & !round;
+      const Mask<Scalar> crosses = (least > Scalar(-1)) & (most < Scalar(1)) & !is_round;
       side = negated<Scalar>(crosses, side);
       stays = stays & !crosses;
     }
@@ -188,7 +194,7 @@ Scalar signed_root(const Scalar& square, const Scalar& scale, const Scalar& tiny
                    const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Mask<Scalar> close = magnitude(square) <= Scalar(boundary.near) * tiny;
-  admit(square, Limits<Scalar>(boundary, larger(scale, magnitude(square))), close, branch);
+  admit(square, limits_in_range(boundary, larger(scale, magnitude(square))), close, branch);
   return sign * sqrt(larger(square, Scalar(boundary.floor) * (scale + tiny)));
 }
 
@@ -198,6 +204,18 @@ template <typename Scalar>
 void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tolerance,
                   Branch<Scalar>& branch) {
   branch.exists = branch.exists & (residual <= tolerance * scale) & (residual >= -tolerance * scale);
+}
+
+/// True if a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
+/// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
+template <typename Scalar>
+[[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,
+                                                   const Boundary& boundary) {
+  const Scalar off = magnitude(Scalar(middle - Scalar(0.5)));
+  const Scalar to_end = Scalar(0.5) + Scalar(boundary.beyond);
+  const Scalar same_end = off - to_end;
+  const Scalar both_ends = off + to_end;
+  return (same_end > Scalar(0) && same_end * same_end > swing) || both_ends * both_ends < swing;
 }
 
 }  // namespace qvgen::inverse

@@ -28,11 +28,12 @@ template <typename Scalar>
 struct SlideTurns {
   int count = 0;
   std::array<SlideTurn<Scalar>, 4> root;
-
-  void add(const SlideTurn<Scalar>& found) { root[static_cast<std::size_t>(count++)] = found; }
 };
 
-namespace slide_and_turn_cases {
+template <typename Scalar>
+void add_slide_turn(const Rotor<Scalar>& turn, const Scalar& slide, bool chosen, SlideTurns<Scalar>& found) {
+  found.root[static_cast<std::size_t>(found.count++)] = {turn, slide, chosen};
+}
 
 /// The two unit vectors with v·u = rhs, as far as they exist or nearly so.
 template <typename Scalar>
@@ -41,7 +42,7 @@ CircleRoots<Scalar> on_line(const Rotor<Scalar>& v, const Scalar& rhs, const Bou
   CircleRoots<Scalar> found;
   const Scalar length = sqrt(Scalar(v.cosine * v.cosine + v.sine * v.sine));
   Branch<Scalar> branch;
-  for (const double sign : {1.0, -1.0}) {
+  for (int sign = 1; sign >= -1; sign -= 2) {
     const Rotor<Scalar> turn =
         circle_angle(Scalar(length - rhs), Scalar(length + rhs), Scalar(Scalar(1) / (Scalar(2) * length)),
                      Scalar(sign), boundary, branch);
@@ -53,56 +54,54 @@ CircleRoots<Scalar> on_line(const Rotor<Scalar>& v, const Scalar& rhs, const Bou
 
 /// The divisor in the way: the slide eliminated, and squared, it is a quartic for u.
 template <typename Scalar>
-SlideTurns<Scalar> regular(const SlideAndTurn<Scalar>& e, const Boundary& boundary, const Scalar& pi) {
+void slide_by_quartic(const SlideAndTurn<Scalar>& e, const Boundary& boundary, const Scalar& pi,
+                      SlideTurns<Scalar>& found) {
   const Scalar square = e.divisor * e.divisor;
   const Scalar twice = Scalar(2) * (e.level + e.h * e.divisor);
-  const auto roots =
-      conic_circle<Scalar>({e.l.cosine * e.l.cosine, Scalar(2) * e.l.cosine * e.l.sine, e.l.sine * e.l.sine,
-                            twice * e.l.cosine + square * e.m.cosine, twice * e.l.sine + square * e.m.sine,
-                            e.level * e.level + Scalar(2) * e.h * e.divisor * e.level + square * e.mean},
-                           boundary, pi);
-  SlideTurns<Scalar> found;
+  const Conic<Scalar> conic = {e.l.cosine * e.l.cosine,
+                               Scalar(2) * e.l.cosine * e.l.sine,
+                               e.l.sine * e.l.sine,
+                               twice * e.l.cosine + square * e.m.cosine,
+                               twice * e.l.sine + square * e.m.sine,
+                               e.level * e.level + Scalar(2) * e.h * e.divisor * e.level + square * e.mean};
+  const CircleRoots<Scalar> roots = conic_circle(conic, boundary, pi);
   for (int i = 0; i < roots.count; ++i) {
     const Rotor<Scalar>& u = roots.root[static_cast<std::size_t>(i)];
-    found.add({u, (e.level + e.l.cosine * u.cosine + e.l.sine * u.sine) / e.divisor});
+    add_slide_turn(u, Scalar((e.level + e.l.cosine * u.cosine + e.l.sine * u.sine) / e.divisor), false,
+                   found);
   }
-  return found;
 }
 
 /// Next to no divisor: the linear equation gives u, the distance then the slide.
 template <typename Scalar>
-SlideTurns<Scalar> turn_first(const SlideAndTurn<Scalar>& e, const Scalar& tiny, const Boundary& boundary) {
-  SlideTurns<Scalar> found;
-  const auto turns = on_line(e.l, Scalar(-e.level), boundary);
-  for (int i = 0; i < turns.count; ++i) {
-    const Rotor<Scalar>& u = turns.root[static_cast<std::size_t>(i)];
+void turn_then_slide(const SlideAndTurn<Scalar>& e, const Scalar& tiny, const Boundary& boundary,
+                     SlideTurns<Scalar>& found) {
+  const CircleRoots<Scalar> roots = on_line(e.l, Scalar(-e.level), boundary);
+  for (int i = 0; i < roots.count; ++i) {
+    const Rotor<Scalar>& u = roots.root[static_cast<std::size_t>(i)];
     const Scalar m = e.mean + e.m.cosine * u.cosine + e.m.sine * u.sine;
-    for (const double sign : {1.0, -1.0}) {
+    for (int sign = 1; sign >= -1; sign -= 2) {
       Branch<Scalar> branch;
       const Scalar root =
           signed_root(Scalar(e.h * e.h - m), Scalar(e.h * e.h), tiny, Scalar(sign), boundary, branch);
-      if (branch.exists) found.add({u, root - e.h});
+      if (branch.exists) add_slide_turn(u, Scalar(root - e.h), false, found);
     }
   }
-  return found;
 }
 
 /// Without a linear equation the slide is free: chosen, as far as the turn can follow.
 template <typename Scalar>
-SlideTurns<Scalar> slide_chosen(const SlideAndTurn<Scalar>& e, const Scalar& choice,
-                                const Rotor<Scalar>& spread, const Boundary& boundary) {
+void slide_chosen(const SlideAndTurn<Scalar>& e, const Scalar& choice, const Rotor<Scalar>& spread,
+                  const Boundary& boundary, SlideTurns<Scalar>& found) {
   using std::sqrt;
   const Scalar most = sqrt(Scalar(e.m.cosine * e.m.cosine + e.m.sine * e.m.sine));
   const Scalar middle = e.h * e.h - e.mean;
-  const Scalar t = slide_between<Scalar>({e.h, Scalar(0)}, {Scalar(1), Scalar(0)}, middle - most,
-                                         middle + most, choice, spread);
-  SlideTurns<Scalar> found;
-  const auto turns = on_line(e.m, Scalar(-(t * (t + Scalar(2) * e.h) + e.mean)), boundary);
-  for (int i = 0; i < turns.count; ++i) found.add({turns.root[static_cast<std::size_t>(i)], t, true});
-  return found;
+  const Scalar t = slide_between(Rotor<Scalar>{e.h, Scalar(0)}, Rotor<Scalar>{Scalar(1), Scalar(0)},
+                                 Scalar(middle - most), Scalar(middle + most), choice, spread);
+  const CircleRoots<Scalar> roots = on_line(e.m, Scalar(-(t * (t + Scalar(2) * e.h) + e.mean)), boundary);
+  for (int i = 0; i < roots.count; ++i)
+    add_slide_turn(roots.root[static_cast<std::size_t>(i)], t, true, found);
 }
-
-}  // namespace slide_and_turn_cases
 
 /// All solutions. Where the divisor vanishes the quartic falls apart into double roots that do not tell the
 /// slide; there the starts that lack no more than the divisor's share are as good, for Newton's steps.
@@ -111,11 +110,15 @@ SlideTurns<Scalar> slide_and_turn(const SlideAndTurn<Scalar>& e, const Scalar& t
                                   const Scalar& size_square, const Scalar& choice,
                                   const Rotor<Scalar>& spread, const Boundary& boundary, const Scalar& pi) {
   const Scalar little(tolerance::lost_divisor);
-  if (magnitude(e.divisor) > little) return slide_and_turn_cases::regular(e, boundary, pi);
   const Scalar square = e.l.cosine * e.l.cosine + e.l.sine * e.l.sine;
-  if (square > little * little * size_square) return slide_and_turn_cases::turn_first(e, tiny, boundary);
-  if (e.level * e.level > little * little * size_square) return {};
-  return slide_and_turn_cases::slide_chosen(e, choice, spread, boundary);
+  SlideTurns<Scalar> found;
+  if (magnitude(e.divisor) > little)
+    slide_by_quartic(e, boundary, pi, found);
+  else if (square > little * little * size_square)
+    turn_then_slide(e, tiny, boundary, found);
+  else if (!(e.level * e.level > little * little * size_square))
+    slide_chosen(e, choice, spread, boundary, found);
+  return found;
 }
 
 }  // namespace qvgen::inverse

@@ -29,17 +29,18 @@ template <typename Scalar>
 struct Chord {
   Mask<Scalar> is_point;  ///< along = 0
   Scalar foot, half;
-
-  Chord(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& square) {
-    using std::sqrt;
-    const Scalar speed = along.cosine * along.cosine + along.sine * along.sine;
-    is_point = speed == Scalar(0);
-    const Scalar divisor = select(is_point, Scalar(1), speed);
-    const Scalar across = point.cosine * along.sine - point.sine * along.cosine;
-    foot = -(point.cosine * along.cosine + point.sine * along.sine) / divisor;
-    half = sqrt(not_negative(Scalar((square - across * across / divisor) / divisor)));
-  }
 };
+
+template <typename Scalar>
+Chord<Scalar> chord(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& square) {
+  using std::sqrt;
+  const Scalar speed = along.cosine * along.cosine + along.sine * along.sine;
+  const Mask<Scalar> is_point = speed == Scalar(0);
+  const Scalar divisor = select(is_point, Scalar(1), speed);
+  const Scalar across = point.cosine * along.sine - point.sine * along.cosine;
+  return {is_point, -(point.cosine * along.cosine + point.sine * along.sine) / divisor,
+          sqrt(not_negative(Scalar((square - across * across / divisor) / divisor)))};
+}
 
 /// A free slide t with inner <= |point + t along|² <= outer, so that the joints after it stay in reach:
 /// nearest to `value`, or, if `spread` is turned, that share of the way from the foot of the perpendicular.
@@ -47,8 +48,8 @@ struct Chord {
 template <typename Scalar>
 Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner,
                      const Scalar& outer, const Scalar& value, const Rotor<Scalar>& spread) {
-  const Chord<Scalar> near(point, along, inner);
-  const Scalar far = Chord<Scalar>(point, along, outer).half;
+  const Chord<Scalar> near = chord(point, along, inner);
+  const Scalar far = chord(point, along, outer).half;
   const Scalar shared = near.half + magnitude(spread.cosine) * (far - near.half);
   const Scalar wanted = value - near.foot;
   const Scalar closest = smaller(larger(magnitude(wanted), near.half), far);
@@ -63,7 +64,7 @@ template <typename Scalar>
 Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner,
                     const Scalar& size_square, const Scalar& value, const Rotor<Scalar>& spread) {
   using std::sqrt;
-  const Chord<Scalar> near(point, along, inner);
+  const Chord<Scalar> near = chord(point, along, inner);
   const Mask<Scalar> is_spread = !(spread.sine == Scalar(0));
   const Scalar shared = sqrt(size_square) * (spread.cosine / select(is_spread, spread.sine, Scalar(1)));
   const Scalar wanted = select(is_spread, shared, Scalar(value - near.foot));
@@ -93,6 +94,14 @@ Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const
   return select(is_free, choice, smaller(least, Scalar(middle + width)));
 }
 
+/// Returns how far v goes across `other`, as a pair beside zero; v itself where `other` has no direction.
+template <typename Scalar>
+Rotor<Scalar> across(const Rotor<Scalar>& v, const Rotor<Scalar>& other, const Scalar& scale,
+                     const Mask<Scalar>& is_alone) {
+  const Scalar area = (v.cosine * other.sine - v.sine * other.cosine) * scale;
+  return {select(is_alone, v.cosine, area), select(is_alone, v.sine, Scalar(0))};
+}
+
 /// t with t along + s other = rhs in a plane, s the value of another slide, to be found later. Where the pose
 /// makes `other` vanish both components are for t.
 template <typename Scalar>
@@ -104,11 +113,8 @@ Scalar slide_beside(const Rotor<Scalar>& along, const Rotor<Scalar>& other, cons
   const Mask<Scalar> is_alone = square <= blind_square<Scalar>(boundary);
   doubt_digits(square, boundary, branch);
   const Scalar scale = Scalar(1) / sqrt(select(is_alone, Scalar(1), square));
-  const auto across = [&](const Rotor<Scalar>& v) {
-    const Scalar area = (v.cosine * other.sine - v.sine * other.cosine) * scale;
-    return Rotor<Scalar>{select(is_alone, v.cosine, area), select(is_alone, v.sine, Scalar(0))};
-  };
-  return slide_on_line<Scalar>(across(along), across(rhs), tiny, choice, boundary, branch);
+  return slide_on_line(across(along, other, scale, is_alone), across(rhs, other, scale, is_alone), tiny,
+                       choice, boundary, branch);
 }
 
 /// The root t of a t² + 2 b t + c = 0, a length, at which a t + b has the sign given. What rounding may do to
@@ -123,7 +129,7 @@ Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const S
   const Scalar scale = b * b + magnitude(Scalar(a * c));
   const Scalar discriminant = b * b - a * c;
   const Scalar noise = Scalar(tolerance::noisy_discriminant) * tiny * (b * b + a * a * size_square);
-  admit(discriminant, Limits<Scalar>(boundary, scale), discriminant * discriminant <= noise, branch);
+  admit(discriminant, limits_in_range(boundary, scale), discriminant * discriminant <= noise, branch);
   const Scalar root = sqrt(larger(discriminant, Scalar(boundary.floor) * scale));
   // Both summands have one sign.
   const Scalar sum = b + with_sign(root, b);

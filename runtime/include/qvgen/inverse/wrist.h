@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
-
 #include <qvgen/inverse/roots.h>
 
 namespace qvgen::inverse {
@@ -46,8 +44,8 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
 /// Says which vectors vanish at a wrist before further joints. If one is nearly free, the further joints
 /// decide the angles: they may be at the end of their reach.
 template <typename Scalar>
-Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, const Boundary& boundary,
-                            Branch<Scalar>& branch) {
+Vanishing<Scalar> vanishing_before_joints(const Scalar& u_square, const Scalar& v_square,
+                                          const Boundary& boundary, Branch<Scalar>& branch) {
   const Scalar noise = wrist_noise<Scalar>() * wrist_noise<Scalar>() * (u_square + v_square);
   const Scalar little = Scalar(boundary.near) * noise;
   // Narrower than where doubt begins: Newton steps have to make good what the choice turns away. Behind a
@@ -111,11 +109,20 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
 template <typename Scalar>
 struct WristBranches {
   WristAngles<Scalar> one, other;
-
-  WristBranches(const Opposites<Scalar>& first, const Scalar& middle, const Opposites<Scalar>& last,
-                const Scalar& pi)
-      : one{first.one, middle, last.one}, other{first.other, negative(middle, pi), last.other} {}
 };
+
+template <typename Scalar>
+WristBranches<Scalar> wrist_branches(const Opposites<Scalar>& first, const Scalar& middle,
+                                     const Opposites<Scalar>& last, const Scalar& pi) {
+  return {{first.one, middle, last.one}, {first.other, negative(middle, pi), last.other}};
+}
+
+/// Returns an angle and the one of the opposite direction, or `other` where nothing is free.
+template <typename Scalar>
+Opposites<Scalar> aligned_opposites(const Scalar& angle, const Scalar& other, const Mask<Scalar>& any_free,
+                                    const Scalar& pi) {
+  return {angle, select(any_free, opposite(angle, pi), other)};
+}
 
 /// Sets the branches where u or v vanishes: the first angle is the choice, the last follows from the other
 /// number, the middle angle is 0 or pi. Other branches stay unchanged.
@@ -129,24 +136,28 @@ WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const 
   const Scalar first = select(any_free, wrapped(choice, pi), regular.one.first);
   const Scalar last = select(any_free, wrapped(select(is_free.u, Scalar(-rest), rest), pi), regular.one.last);
   const Scalar straight = select(swapped ? is_free.u : is_free.v, Scalar(0), pi);
-  const auto both = [&](const Scalar& angle, const Scalar& other) {
-    return Opposites<Scalar>{angle, select(any_free, opposite(angle, pi), other)};
-  };
-  return {both(first, regular.other.first), select(any_free, straight, regular.one.middle),
-          both(last, regular.other.last), pi};
+  return wrist_branches(aligned_opposites(first, regular.other.first, any_free, pi),
+                        select(any_free, straight, regular.one.middle),
+                        aligned_opposites(last, regular.other.last, any_free, pi), pi);
+}
+
+/// Turns an angle and the one of the opposite direction; they stay as they are where that is by zero.
+template <typename Scalar>
+Opposites<Scalar> turned_opposites(const Scalar& one, const Scalar& other, const Scalar& by,
+                                   const Scalar& pi) {
+  const Scalar there = wrapped(Scalar(one + by), pi);
+  const Mask<Scalar> stays = by == Scalar(0);
+  return {select(stays, one, there), select(stays, other, opposite(there, pi))};
 }
 
 /// The argument of u, or else of v, turned; angles stay as they are where that is by zero.
 template <typename Scalar>
 WristBranches<Scalar> turned_wrist(const WristBranches<Scalar>& regular, const Scalar& turn,
                                    const Mask<Scalar>& is_u, const Scalar& pi) {
-  const auto both = [&](const Scalar& one, const Scalar& other, const Scalar& by) {
-    const Scalar turned = wrapped(Scalar(one + by), pi);
-    const Mask<Scalar> stays = by == Scalar(0);
-    return Opposites<Scalar>{select(stays, one, turned), select(stays, other, opposite(turned, pi))};
-  };
-  return {both(regular.one.first, regular.other.first, turn), regular.one.middle,
-          both(regular.one.last, regular.other.last, select(is_u, turn, Scalar(-turn))), pi};
+  const Scalar other_turn = select(is_u, turn, Scalar(-turn));
+  return wrist_branches(turned_opposites(regular.one.first, regular.other.first, turn, pi),
+                        regular.one.middle,
+                        turned_opposites(regular.one.last, regular.other.last, other_turn, pi), pi);
 }
 
 /// Wrist with right angles between neighbouring axes: the thesis's Euler wrist in half-angle form.
@@ -161,17 +172,17 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   // |u v|, of which all three angles' tangents are made: sums of arguments are the arguments of products.
-  const Scalar product = sqrt(Scalar(u_square * v_square));
+  const Scalar length = sqrt(Scalar(u_square * v_square));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
   const Scalar sum = u_square + v_square;
   const Scalar cc = u.cosine * v.cosine;
   const Scalar ss = u.sine * v.sine;
   const Scalar cs = u.cosine * v.sine;
   const Scalar sc = u.sine * v.cosine;
-  const Opposites<Scalar> first = output_angles(Rotor<Scalar>{cc - ss, sc + cs}, product, pi);
-  const Opposites<Scalar> last = output_angles(Rotor<Scalar>{cc + ss, sc - cs}, product, pi);
-  const Scalar middle = arctangent(product, Scalar(Scalar(0.5) * gap), Scalar(Scalar(0.5) * sum));
-  const WristBranches<Scalar> regular(first, middle, last, pi);
+  const Opposites<Scalar> first = output_angles(Rotor<Scalar>{cc - ss, sc + cs}, length, pi);
+  const Opposites<Scalar> last = output_angles(Rotor<Scalar>{cc + ss, sc - cs}, length, pi);
+  const Scalar middle = arctangent(length, Scalar(Scalar(0.5) * gap), Scalar(Scalar(0.5) * sum));
+  const WristBranches<Scalar> regular = wrist_branches(first, middle, last, pi);
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
   const Scalar least = smaller(u_square, v_square);
   const Mask<Scalar> blurred = is_blurred(least, is_free.noise);
@@ -193,23 +204,33 @@ struct WristTurns {
   Rotor<Scalar> first, middle, last;
 };
 
+template <typename Scalar>
+struct RotorPair {
+  Rotor<Scalar> u, v;
+};
+
+template <typename Scalar>
+Rotor<Scalar> either_rotor(const Mask<Scalar>& condition, const Rotor<Scalar>& yes, const Rotor<Scalar>& no) {
+  return {select(condition, yes.cosine, no.cosine), select(condition, yes.sine, no.sine)};
+}
+
+/// Returns a number's direction, or the number itself if that is free.
+template <typename Scalar>
+Rotor<Scalar> unit_of(const Rotor<Scalar>& z, const Mask<Scalar>& is_free) {
+  using std::sqrt;
+  const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
+  return Scalar(Scalar(1) / sqrt(select(is_free, Scalar(1), square))) * z;
+}
+
 /// The directions of the two numbers. One of them vanishes at most: what it leaves free makes the first angle
 /// the choice.
 template <typename Scalar>
-std::pair<Rotor<Scalar>, Rotor<Scalar>> turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v,
-                                              const Vanishing<Scalar>& is_free, const Rotor<Scalar>& choice) {
-  using std::sqrt;
-  const auto unit = [](const Rotor<Scalar>& z, const Mask<Scalar>& free) {
-    const Scalar square = z.cosine * z.cosine + z.sine * z.sine;
-    return Scalar(Scalar(1) / sqrt(select(free, Scalar(1), square))) * z;
-  };
-  const auto either = [](const Mask<Scalar>& condition, const Rotor<Scalar>& yes, const Rotor<Scalar>& no) {
-    return Rotor<Scalar>{select(condition, yes.cosine, no.cosine), select(condition, yes.sine, no.sine)};
-  };
-  const Rotor<Scalar> along_u = unit(u, is_free.u);
-  const Rotor<Scalar> along_v = unit(v, is_free.v);
-  return {either(is_free.u, choice * inverse(along_v), along_u),
-          either(is_free.v, choice * inverse(along_u), along_v)};
+RotorPair<Scalar> turns(const RotorPair<Scalar>& z, const Vanishing<Scalar>& is_free,
+                        const Rotor<Scalar>& choice) {
+  const Rotor<Scalar> along_u = unit_of(z.u, is_free.u);
+  const Rotor<Scalar> along_v = unit_of(z.v, is_free.v);
+  return {either_rotor<Scalar>(is_free.u, choice * inverse(along_v), along_u),
+          either_rotor<Scalar>(is_free.v, choice * inverse(along_u), along_v)};
 }
 
 /// Both branches of `right_wrist`, by sign, without any arctangent.
@@ -221,16 +242,17 @@ WristTurns<Scalar> right_wrist_turns(const Rotor<Scalar>& u, const Rotor<Scalar>
   const Scalar u_square = u.cosine * u.cosine + u.sine * u.sine;
   const Scalar v_square = v.cosine * v.cosine + v.sine * v.sine;
   const Scalar sum = u_square + v_square;
-  const Vanishing<Scalar> is_free = vanishing(u_square, v_square, boundary, branch);
-  const Scalar product =
+  const Vanishing<Scalar> is_free = vanishing_before_joints(u_square, v_square, boundary, branch);
+  const Scalar both =
       select(is_free.u | is_free.v, Scalar(0), Scalar(Scalar(2) * sqrt(Scalar(u_square * v_square))));
   const Scalar gap = swapped ? Scalar(v_square - u_square) : Scalar(u_square - v_square);
-  const auto [along_u, along_v] = turns(u, v, is_free, choice);
-  const Rotor<Scalar> first = along_u * along_v;
-  const Rotor<Scalar> last = along_u * inverse(along_v);
+  const RotorPair<Scalar> z{u, v};
+  const RotorPair<Scalar> along = turns(z, is_free, choice);
+  const Rotor<Scalar> first = along.u * along.v;
+  const Rotor<Scalar> last = along.u * inverse(along.v);
   const Scalar scale = Scalar(1) / sum;
   return {{sign * first.cosine, sign * first.sine},
-          {gap * scale, sign * product * scale},
+          {gap * scale, sign * both * scale},
           {sign * last.cosine, sign * last.sine}};
 }
 
@@ -247,27 +269,30 @@ template <typename Scalar>
 struct ObliqueSquares {
   Scalar u11, u12;
   Scalar sine, cosine;
-  Mask<Scalar> right_sum,
-      right_difference;  ///< then sine or cosine vanishes where an angle is free, else at a double root
-
-  ObliqueSquares(const Rotor<Scalar>& first, const Rotor<Scalar>& second, const WristShape<Scalar>& shape)
-      : u11(first.cosine * first.cosine + first.sine * first.sine),
-        u12(second.cosine * second.cosine + second.sine * second.sine),
-        sine((u11 - shape.cosine_sum * shape.cosine_sum) / shape.product),
-        cosine((u12 - shape.sine_difference * shape.sine_difference) / shape.product),
-        right_sum(shape.cosine_sum == Scalar(0)),
-        right_difference(shape.sine_difference == Scalar(0)) {}
+  /// Then sine or cosine vanishes where an angle is free, else at a double root.
+  Mask<Scalar> right_sum, right_difference;
 };
+
+template <typename Scalar>
+ObliqueSquares<Scalar> oblique_squares(const Rotor<Scalar>& first, const Rotor<Scalar>& second,
+                                       const WristShape<Scalar>& shape) {
+  const Scalar u11 = first.cosine * first.cosine + first.sine * first.sine;
+  const Scalar u12 = second.cosine * second.cosine + second.sine * second.sine;
+  return {u11,
+          u12,
+          (u11 - shape.cosine_sum * shape.cosine_sum) / shape.product,
+          (u12 - shape.sine_difference * shape.sine_difference) / shape.product,
+          shape.cosine_sum == Scalar(0),
+          shape.sine_difference == Scalar(0)};
+}
 
 /// Two complex numbers from sine and cosine of half the middle angle: first = arg z1 + arg z2, last = arg z1
 /// - arg z2. z1 = M11 conj(U11), z2 = M12 conj(U12); at a right sum or difference the limit direction is
 /// kept.
 template <typename Scalar>
-std::pair<Rotor<Scalar>, Rotor<Scalar>> oblique_products(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
-                                                         const WristShape<Scalar>& shape,
-                                                         const ObliqueSquares<Scalar>& square,
-                                                         const Scalar& s, const Scalar& c,
-                                                         const Scalar& sign) {
+RotorPair<Scalar> oblique_products(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
+                                   const WristShape<Scalar>& shape, const ObliqueSquares<Scalar>& square,
+                                   const Scalar& s, const Scalar& c, const Scalar& sign) {
   const Scalar m11_real = shape.cosine_sum * c;
   const Scalar m11_imaginary =
       -sign * select(square.right_sum, Scalar(1), Scalar(shape.cosine_difference * s));
@@ -285,7 +310,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
                                   const Boundary& boundary, const Scalar& pi, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar zero(0);
-  const ObliqueSquares<Scalar> square(u11, u12, shape);
+  const ObliqueSquares<Scalar> square = oblique_squares(u11, u12, shape);
   const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12);
   const Scalar margin = smaller(square.sine, square.cosine);
   // If the first or last angle is free, the middle one is 0 or pi, which with a right sum or difference is no
@@ -298,13 +323,21 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   branch.exists = branch.exists & is_near & !((sine_twin | cosine_twin) & (sign < zero));
   const Scalar s = select(sine_twin, zero, sqrt(not_negative(square.sine)));
   const Scalar c = select(cosine_twin, zero, sqrt(not_negative(square.cosine)));
-  const auto z = oblique_products(u11, u12, shape, square, s, c, sign);
+  const RotorPair<Scalar> z = oblique_products(u11, u12, shape, square, s, c, sign);
   Scalar first_argument;
   Scalar second_argument;
-  arguments(z.first, z.second, square.u11, square.u12, is_free, seed, pi, first_argument, second_argument,
-            branch);
+  arguments(z.u, z.v, square.u11, square.u12, is_free, seed, pi, first_argument, second_argument, branch);
   return {wrapped(Scalar(first_argument + second_argument), pi), Scalar(2) * sign * acute_arctangent(s, c),
           wrapped(Scalar(first_argument - second_argument), pi)};
+}
+
+/// Returns sine or cosine of half the middle angle by its square, at least the floor's root where it folds.
+template <typename Scalar>
+Scalar half_angle_part(const Scalar& square, const Mask<Scalar>& is_right, const Mask<Scalar>& is_free,
+                       const Boundary& boundary) {
+  using std::sqrt;
+  const Scalar least = select(is_right, Scalar(0), Scalar(boundary.floor));
+  return select(is_free, Scalar(0), sqrt(larger(square, least)));
 }
 
 /// Returns the angles of an oblique wrist as cosines and sines, `delta` the angle between the normals.
@@ -315,22 +348,18 @@ WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Sca
                                        const Boundary& boundary, Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar one(1);
-  const ObliqueSquares<Scalar> square(u11, u12, shape);
-  const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12, boundary, branch);
+  const ObliqueSquares<Scalar> square = oblique_squares(u11, u12, shape);
+  const Vanishing<Scalar> is_free = vanishing_before_joints(square.u11, square.u12, boundary, branch);
   const Scalar margin = smaller(select(square.right_sum, one, square.sine),
                                 select(square.right_difference, one, square.cosine));
-  admit(margin, Limits<Scalar>(boundary), Mask<Scalar>(false), branch);
-  const auto root = [&](const Scalar& value, const Mask<Scalar>& folds, const Mask<Scalar>& free) {
-    const Scalar least = select(folds, Scalar(boundary.floor), Scalar(0));
-    return Scalar(select(free, Scalar(0), sqrt(larger(value, least))));
-  };
-  const Scalar s = root(square.sine, !square.right_sum, is_free.u);
-  const Scalar c = root(square.cosine, !square.right_difference, is_free.v);
-  const auto z = oblique_products(u11, u12, shape, square, s, c, sign);
-  const auto [along_1, along_2] = turns(z.first, z.second, is_free, choice);
+  admit(margin, limits_of<Scalar>(boundary), Mask<Scalar>(false), branch);
+  const Scalar s = half_angle_part(square.sine, square.right_sum, is_free.u, boundary);
+  const Scalar c = half_angle_part(square.cosine, square.right_difference, is_free.v, boundary);
+  const RotorPair<Scalar> z = oblique_products(u11, u12, shape, square, s, c, sign);
+  const RotorPair<Scalar> along = turns(z, is_free, choice);
   const Scalar scale = one / (c * c + s * s);
   const Rotor<Scalar> middle{(c - s) * (c + s) * scale, sign * (Scalar(2) * c * s * scale)};
-  return {along_1 * along_2, middle * inverse(delta), along_1 * inverse(along_2)};
+  return {along.u * along.v, middle * inverse(delta), along.u * inverse(along.v)};
 }
 
 }  // namespace qvgen::inverse

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "emit/blocks/runtime/runtime.h"
+
+#include <set>
+#include <utility>
+
+#include "emit/blocks/c_text.h"
+
+namespace qvgen::emit::blocks::runtime {
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_truth(const Expression& e) { return e.type->kind == Type::Kind::boolean; }
+bool is_rotor(const Expression& e) {
+  return e.type->kind == Type::Kind::structure && e.type->name == "Rotor";
+}
+bool is_place(const Expression& e) {
+  return e.kind == Kind::name || e.kind == Kind::member || e.kind == Kind::index;
+}
+
+/// The parser of C with what C++ says by types.
+class HeaderParser : public Parser {
+ public:
+  HeaderParser(const File& file, Scope& scope, Tokens tokens, const Known& known)
+      : Parser(file, scope, std::move(tokens)), known_(known) {}
+
+ protected:
+  /// The name of a reference is what it stands for.
+  Expression variable(const std::string& name) override {
+    Expression result = Parser::variable(name);
+    if (!result.type->reference) return result;
+    const TypeRef type = result.type->of;
+    return made(Kind::dereference, "", {std::move(result)}, type);
+  }
+
+  /// Truth values have the operators of C's; products of rotors are calls.
+  [[nodiscard]] Expression combined(const std::string& sign, Expression left,
+                                    Expression right) const override {
+    static const std::map<std::string, std::string> of_truth{{"&", "&&"}, {"|", "||"}, {"^", "!="}};
+    const auto truth = of_truth.find(sign);
+    if (truth != of_truth.end() && is_truth(left) && is_truth(right))
+      return Parser::combined(truth->second, std::move(left), std::move(right));
+    if (sign != "*" || !is_rotor(right)) return Parser::combined(sign, std::move(left), std::move(right));
+    const char* name = is_rotor(left) ? "product" : "scaled";
+    const TypeRef type = right.type;
+    return made(Kind::call, name, {std::move(left), std::move(right)}, type);
+  }
+
+  /// A member, or a method: `branch.doubt(x)` is `doubt(branch, x)`.
+  Expression part_of(Expression object) override {
+    const std::string part = name();
+    if (!is("(")) return field_of(std::move(object), part);
+    Expressions list{std::move(object)};
+    add_arguments(part, list);
+    return called(part, std::move(list));
+  }
+
+  Expression call(const std::string& name) override {
+    if (is_local(name)) fail("a variable hides the function " + name);
+    Expressions list;
+    add_arguments(name, list);
+    if (name != "select") return called(name, std::move(list));
+    if (list.size() != 3) fail("select has three arguments");
+    const TypeRef type = is_truth(list[1]) ? list[1].type : common(list[1].type, list[2].type);
+    return made(Kind::conditional, "", std::move(list), type);
+  }
+
+  /// Assigns the values that a struct gives its fields.
+  Statements declarations() override {
+    Statements result;
+    for (Statement& each : Parser::declarations()) {
+      const bool is_open = each.values.empty() && each.type->kind == Type::Kind::structure;
+      result.push_back(std::move(each));
+      if (is_open) add_defaults(result);
+    }
+    return result;
+  }
+
+ private:
+  void add_arguments(const std::string& name, Expressions& list) {
+    const Function* known = scope_.unit.function(name);
+    expect("(");
+    while (!accept(")")) {
+      if (is("{")) {
+        if (known == nullptr || list.size() >= known->parameters.size()) fail("braces without a type");
+        list.push_back(listed(known->parameters[list.size()].type));
+      } else {
+        list.push_back(conditional());
+      }
+      if (!accept(",") && !is(")")) fail("expected a comma between arguments");
+    }
+  }
+
+  /// A call with pointers where the function has them, and without pi where that is a constant.
+  [[nodiscard]] Expression called(const std::string& wanted, Expressions list) const {
+    const std::string name = wanted == "arctangent" && list.size() == 3 ? "arctangent_of_length" : wanted;
+    const Function* known = scope_.unit.function(name);
+    if (known == nullptr) {
+      const TypeRef real = basic(Type::Kind::real);
+      if (!is_of_library(name)) fail("the function " + name + " is not declared");
+      return made(Kind::call, name, std::move(list), name == "signbit" ? basic(Type::Kind::boolean) : real);
+    }
+    const std::vector<Field>& parameters = known->parameters;
+    for (std::size_t i = list.size(); i-- > 0 && list.size() > parameters.size();)
+      if (list[i].kind == Kind::name && list[i].text == "pi") list.erase(list.begin() + static_cast<int>(i));
+    if (list.size() != parameters.size()) fail("another number of arguments than " + name + " has");
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (parameters[i].type->kind == Type::Kind::pointer) list[i] = pointer_at(std::move(list[i]));
+    return made(Kind::call, name, std::move(list), known->result);
+  }
+
+  [[nodiscard]] Expression pointer_at(Expression e) const {
+    if (e.kind == Kind::dereference) return e.operands[0];
+    if (e.type->kind == Type::Kind::pointer) return e;
+    if (!is_place(e)) fail("a reference to what has no name");
+    const TypeRef type = pointer_to(e.type, false);
+    return made(Kind::address, "", {std::move(e)}, type);
+  }
+
+  void add_defaults(Statements& list) {
+    Statement& declared = list.back();
+    const std::string constant = "new_" + snake(declared.type->name);
+    if (scope_.unit.constant(constant) != nullptr) {
+      declared.values = {Parser::variable(constant)};
+      return;
+    }
+    Expression object = Parser::variable(declared.name);
+    assign_defaults(object, list);
+  }
+
+  void assign_defaults(const Expression& object, Statements& list) {
+    const auto defaults = known_.defaults.find(object.type->name);
+    for (const Field& each : scope_.unit.structures.at(object.type->name).fields) {
+      Expression field = field_of(object, each.name);
+      if (each.type->kind == Type::Kind::structure) assign_defaults(field, list);
+      if (defaults == known_.defaults.end()) continue;
+      for (const auto& [name, value] : defaults->second) {
+        if (name != each.name) continue;
+        Statement set = made(Statement::Kind::evaluate);
+        set.comment.clear();
+        set.values = {made(Kind::assign, "=", {field, made(Kind::integer, value, {}, each.type)}, each.type)};
+        list.push_back(set);
+      }
+    }
+  }
+
+  using Parser::made;
+  const Known& known_;
+};
+
+}  // namespace
+
+void Reader::read_c(const File& file) { Parser(file, scope_).run(); }
+
+std::string Reader::in_c(const File& header) {
+  const Unit& unit = scope_.unit;
+  const auto skipped = [&](const std::string& name) {
+    return unit.function(name) != nullptr || unit.constant(name) != nullptr ||
+           unit.structures.count(name) > 0;
+  };
+  const std::size_t structures = unit.structure_order.size(), constants = unit.constants.size(),
+                    functions = unit.functions.size();
+  HeaderParser(header, scope_, words_of(header, skipped, known_), known_).run();
+  std::string text;
+  for (std::size_t i = constants; i < unit.constants.size(); ++i) text += c_text(unit, unit.constants[i]);
+  for (std::size_t i = structures; i < unit.structure_order.size(); ++i)
+    text += c_text(unit, unit.structures.at(unit.structure_order[i]));
+  for (std::size_t i = functions; i < unit.functions.size(); ++i) text += c_text(unit, unit.functions[i]);
+  return text;
+}
+
+}  // namespace qvgen::emit::blocks::runtime

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Words of a header of the C++ runtime as words of C, but for what only types tell: references, methods,
+// products of rotors and braces, which the parser of runtime.cpp reads. A header keeps to functions over
+// numbers and small structs, with one type `Scalar`. Example:
+//
+//     template <typename Scalar>                                      static double share(double a, bool b)
+//     Scalar share(const Scalar& a, const Mask<Scalar>& b)            { return (a) / 2.0; }
+//     { return Scalar(a) / Scalar(2); }
+//
+// A flag among the parameters of a template is the first parameter in C.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emit/blocks/lexer.h"
+
+namespace qvgen::emit::blocks::runtime {
+
+using Tokens = std::vector<Token>;
+
+/// Facts of one header that later ones need.
+struct Known {
+  std::map<std::string, std::vector<std::pair<std::string, std::string>>>
+      defaults;                   ///< by struct: field, value
+  std::set<std::string> flagged;  ///< functions whose template has a flag
+};
+
+/// Returns the definitions of a header in C's words but for those whose name is `skipped`. Throws
+/// NotInSubset.
+Tokens words_of(const File& header, const std::function<bool(const std::string&)>& skipped, Known& known);
+
+}  // namespace qvgen::emit::blocks::runtime

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Headers of the C++ runtime read as C: golden texts of what the two languages write differently.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "emit/blocks/runtime/runtime.h"
+#include "emit/builtin_templates.h"
+#include "emit/c/inverse/blocks.h"
+
+namespace qvgen::test {
+namespace {
+
+using emit::blocks::NotInSubset;
+using emit::blocks::runtime::Reader;
+using testing::HasSubstr;
+
+const std::string known = R"(
+typedef struct Branch {
+  bool exists, unsure;
+} Branch;
+static const Branch new_branch = {true, false};
+typedef struct Rotor {
+  double cosine, sine;
+} Rotor;
+static Rotor rotor(double cosine, double sine) {
+  const Rotor r = {cosine, sine};
+  return r;
+}
+static Rotor product(Rotor a, Rotor b) { return rotor(a.cosine * b.cosine, a.sine * b.sine); }
+static void doubt(Branch* branch, bool condition) { branch->unsure = branch->unsure || condition; }
+static const double pi = 3;
+)";
+
+std::string in_c(const std::string& header) {
+  Reader reader;
+  reader.read_c({"known.c", "inverse", false, known});
+  return reader.in_c(
+      {"header.h", "inverse", false, "namespace a::b {\n" + header + "}  // namespace a::b\n"});
+}
+
+std::string error_in(const std::string& header) {
+  try {
+    return "no error: " + in_c(header);
+  } catch (const NotInSubset& error) {
+    return error.what();
+  }
+}
+
+TEST(RuntimeBlocks, NumbersAndTruthValuesAreThoseOfC) {
+  EXPECT_EQ(in_c(R"(
+/// √2 of it.
+template <typename Scalar>
+Scalar part(const Scalar& a, const Mask<Scalar>& is_free, const Scalar& pi) {
+  using std::sqrt;
+  const Mask<Scalar> none = (a < Scalar(0)) & !is_free;
+  return -sqrt(Scalar(a / Scalar(2))) * (a - (Scalar(1) - pi)) + select(none | is_free, Scalar(-1), abs(a));
+}
+)"),
+            R"(/// root of 2 of it.
+static inline double part(double a, bool is_free) {
+  const bool none = a < 0.0 && !is_free;
+  return -sqrt(a / 2.0) * (a - (1.0 - pi)) + (none || is_free ? -1.0 : fabs(a));
+}
+
+)");
+}
+
+TEST(RuntimeBlocks, ReferencesBecomePointersOrCopies) {
+  EXPECT_EQ(in_c(R"(
+template <typename Scalar>
+struct Roots {
+  int count = 0;
+  std::array<Scalar, 3> root;  ///< ascending
+};
+template <typename Scalar>
+void add(const Scalar& x, Roots<Scalar>& roots, Branch<Scalar>& branch) {
+  branch.doubt(x == Scalar(0));
+  roots.root[static_cast<std::size_t>(roots.count++)] = x;
+}
+template <typename Scalar>
+Roots<Scalar> both(const Roots<Scalar>& from, const Scalar& x) {
+  Roots<Scalar> found;
+  Branch<Scalar> branch;
+  for (int i = 0; i < from.count; ++i) add(x, found, branch);
+  if (!branch.exists)
+    found.count = 1;
+  else
+    return from;
+  return found;
+}
+)"),
+            R"(typedef struct Roots {
+  int count;
+  // ascending
+  double root[3];
+} Roots;
+
+static inline void add(double x, Roots* roots, Branch* branch) {
+  doubt(branch, x == 0.0);
+  roots->root[roots->count++] = x;
+}
+
+static Roots both(Roots from, double x) {
+  Roots found;
+  found.count = 0;
+  Branch branch = new_branch;
+  for (int i = 0; i < from.count; ++i) add(x, &found, &branch);
+  if (!branch.exists) {
+    found.count = 1;
+  } else {
+    return from;
+  }
+  return found;
+}
+
+)");
+}
+
+TEST(RuntimeBlocks, FlagsOfTemplatesAreArguments) {
+  const std::string text = in_c(R"(
+template <typename Scalar, bool opposites = false>
+Rotor<Scalar> turned(const Rotor<Scalar>& u) {
+  if constexpr (leaves_singular_poses<Scalar>) return u;
+  if constexpr (opposites) return u * u;
+  return {u.sine, Scalar(-u.cosine)};
+}
+template <typename Scalar>
+Rotor<Scalar> twice(const Rotor<Scalar>& u) {
+  return turned<Scalar, true>(u) * turned(Rotor<Scalar>{u.sine, u.cosine});
+}
+)");
+  EXPECT_THAT(text, HasSubstr("turned(bool opposites, Rotor u) {\n  if (opposites) return product(u, u);\n"
+                              "  return rotor(u.sine, -u.cosine);"));
+  EXPECT_THAT(text, HasSubstr("return product(turned(true, u), turned(false, rotor(u.sine, u.cosine)));"));
+}
+
+TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
+  const auto error_of = [](const std::string& statement) {
+    return error_in("template <typename Scalar>\nScalar f(Scalar x) {\n  " + statement + "\n}\n");
+  };
+  EXPECT_THAT(error_of("return erf(x);"), HasSubstr("header.h:4: the function erf is not declared"));
+  EXPECT_THAT(error_of("const Scalar rotor = x; return rotor(x, x);"),
+              HasSubstr("header.h:4: a variable hides the function rotor"));
+  EXPECT_THAT(error_of("Branch<Scalar> b; b.doubt(true, x);"),
+              HasSubstr("header.h:4: another number of arguments than doubt has"));
+  EXPECT_THAT(error_of("const auto g = [&](Scalar y) { return y; };"), HasSubstr("header.h:4:"));
+  EXPECT_THAT(error_of("return (x;"), HasSubstr("header.h:"));
+  for (const char* header :
+       {"template <typename Scalar", "template <typename Scalar>\nstruct A {\n  int b;\n", "Scalar f(",
+        "inline constexpr double a = 1", "Scalar f()", "Scalar"})
+    EXPECT_THAT(error_in(header), HasSubstr("header.h:")) << header;
+}
+
+/// Names of the blocks that kinds of equations call.
+std::set<std::string> blocks_of_kinds() {
+  const std::regex called(R"re("([a-z_]+)",\s+(solve|\[\]\(auto))re");
+  std::set<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/generator/derive/inverse/kinds")) {
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    const std::string kinds = text.str();
+    for (std::sregex_iterator each(kinds.begin(), kinds.end(), called), end; each != end; ++each)
+      names.insert((*each)[1]);
+  }
+  return names;
+}
+
+/// An equation stands in a header of the runtime alone. Loops' pairs of turns are in C++ only.
+TEST(RuntimeBlocks, NoTemplateOfCHasAnEquation) {
+  std::set<std::string> names = blocks_of_kinds();
+  EXPECT_EQ(names.erase("two_turns"), 1U);
+  EXPECT_GT(names.size(), 20U);
+  for (const std::string& name : names) {
+    const std::regex definition("static [A-Za-z ]+ " + name + "\\(");
+    EXPECT_TRUE(std::regex_search(emit::c::inverse_blocks(), definition)) << name;
+    for (const auto& [file, text] : emit::builtin_templates())
+      EXPECT_FALSE(file.rfind("c/", 0) == 0 && std::regex_search(text, definition))
+          << name << " is in " << file;
+  }
+}
+
+TEST(RuntimeBlocks, CommentsAreAscii) {
+  for (const char c : emit::c::inverse_blocks()) ASSERT_GT(c, 0);
+}
+
+}  // namespace
+}  // namespace qvgen::test
