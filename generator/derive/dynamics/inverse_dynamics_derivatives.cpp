@@ -69,7 +69,7 @@ class CompositeDerivatives {
   }
 
  private:
-  /// What one coordinate has on its way inward: D, R, Q, and twice E.
+  /// One coordinate on its way inward: D, R, Q, and twice E.
   struct Open {
     Column mass, by_rate, by_position;
     Vector3 couple;
