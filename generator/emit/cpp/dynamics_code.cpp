@@ -9,6 +9,7 @@
 #include "emit/ast/angle.h"
 #include "emit/ast/literal.h"
 #include "emit/cpp/angles.h"
+#include "emit/cpp/compact.h"
 #include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/template_values.h"
@@ -49,23 +50,6 @@ Constants constants_of(const Optimised& function) {
       result.stored.outputs.push_back(output);
     }
   }
-  return result;
-}
-
-/// From so many values on, which no arm has, bytes count for more than a line for each.
-constexpr std::size_t many_values = 2000;
-constexpr std::size_t values_together = 16;
-
-/// The values as declarations `name = expression`, of which one may go on with further names: of a humanoid
-/// the words that are spared are a quarter of the code.
-std::vector<Code::Value> declarations_of(const std::vector<Code::Value>& values) {
-  if (values.size() < many_values) return values;
-  std::vector<Code::Value> result;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (i % values_together == 0)
-      result.push_back(values[i]);
-    else
-      result.back().expression += ", " + values[i].name + " = " + values[i].expression;
   return result;
 }
 
@@ -245,7 +229,8 @@ DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
 
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
-  const auto [set_up, code] = dynamics_code(robot, function, angles);
+  const auto [set_up, as_it_is] = dynamics_code(robot, function, angles);
+  const Code code = compact(as_it_is);
   const Arguments arguments = arguments_of(robot, interface, scalar);
   const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},
@@ -263,7 +248,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"set_up", values_of(set_up.temporaries)},
               {"stored", values_of(set_up.outputs)},
               {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
-              {"temporaries", values_of(declarations_of(code.temporaries))},
+              {"temporaries", values_of(code.temporaries)},
               {"statements", statements_of(code.outputs, interface.result, model::coordinate_count(robot))}};
   values.update(load_values(robot, interface, scalar));
   return values;
