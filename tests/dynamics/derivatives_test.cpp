@@ -4,9 +4,7 @@
 // lengths of slides, trigonometric ones in angles (M. Riesz 1914), and linear in gravity.
 #include <gtest/gtest.h>
 
-#include "base_motion.h"
-#include "model/coordinates.h"
-#include "random_tree.h"
+#include "floating_motion.h"
 
 namespace qvgen::test::trees {
 namespace {

@@ -5,10 +5,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "base_motion.h"
-#include "model/coordinates.h"
+#include "floating_motion.h"
 #include "optimise/dynamics.h"
-#include "random_tree.h"
 #include "reference/dynamics.h"
 #include "reference/linear_algebra.h"
 #include "reference/load.h"
