@@ -18,6 +18,8 @@ using Values = std::vector<Number>;
 
 /// To compute the torques, besides the emitted one.
 constexpr std::uint64_t more_ways = 4;
+/// Derivatives by the chain rule of larger robots cost twice those by composite bodies, and a long search.
+constexpr std::size_t most_coordinates_by_chain_rule = 24;
 
 Values combined(const Number& a, const Values& x, const Number& b, const Values& y) {
   Values result;
@@ -294,13 +296,16 @@ Optimised drive_regressor_function(const DynamicsModel& model, const derive::dyn
 
 Optimised inverse_dynamics_derivatives(const DynamicsModel& model, const Optimised& inverse_dynamics,
                                        const DynamicsEffort& effort) {
-  const auto& [torques, constants] = inverse_dynamics.of_arm;
-  const dag::Function form = cheapest_derivatives(model.arm.robot, torques, effort);
+  const model::Robot& robot = model.arm.robot;
+  const derive::dynamics::Formulation by_composite_bodies = derive::dynamics::inverse_dynamics_derivatives(
+      robot, inverse_dynamics.choices.value_or(derive::dynamics::FormulationOptions{}));
   const auto residuals = [&](const ExactPoint& point, const Values& values) {
     return combined(1, values, -1, expected(model.described, point));
   };
-  Optimised result =
-      searched(quantity_of(model, "inverse_dynamics_derivatives", {form, constants}, residuals), effort);
+  Quantity quantity = quantity_of(model, "inverse_dynamics_derivatives", by_composite_bodies, residuals);
+  if (model::coordinate_count(robot) <= most_coordinates_by_chain_rule)
+    quantity.forms.push_back({"", cheapest_derivatives(robot, inverse_dynamics.of_arm.function, effort)});
+  Optimised result = searched(quantity, effort);
   result.choices = inverse_dynamics.choices;
   return result;
 }

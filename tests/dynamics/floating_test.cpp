@@ -5,10 +5,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "base_motion.h"
-#include "model/coordinates.h"
+#include "floating_motion.h"
 #include "optimise/dynamics.h"
-#include "random_tree.h"
 #include "reference/dynamics.h"
 #include "reference/linear_algebra.h"
 #include "reference/load.h"
@@ -17,21 +15,6 @@ namespace qvgen::test::trees {
 namespace {
 
 using derive::dynamics::Effects;
-
-/// Adds the base's motion to the symbols' values, for gravity of 9.81 m/s^2.
-void add_base(const BaseMotion& base, const VectorXd& force, Motion& motion) {
-  using namespace derive::dynamics;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    motion.values[velocity_of(model::base_coordinate(k))] = base.velocity[i];
-    motion.values[acceleration_of(model::base_coordinate(k))] = base.acceleration[i];
-    motion.values[force_of(model::base_coordinate(k))] = force[i];
-  }
-  const Vector3d gravity = base.rotation.transpose() * Vector3d(0, 0, -9.81);
-  for (std::size_t k = 0; k < 3; ++k)
-    motion.values[gravity_component(k)] = gravity[static_cast<Eigen::Index>(k)];
-  motion.values[gravity_component(3)] = 9.81 * base.q[2];
-}
 
 class RandomFloatingTrees : public testing::TestWithParam<unsigned> {};
 

@@ -2,67 +2,12 @@
 #include <algorithm>
 #include <map>
 
+#include "derive/dynamics/flow.h"
 #include "derive/dynamics/followers.h"
-#include "derive/dynamics/inward_recursion.h"
 #include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
-
-/// int r v^T dm over a composite body, v the velocity of the point r relative to the frame's own link; the
-/// last row int v^T dm. Pseudo-inertia and its rate in that frame are P and E + E^T.
-using Flow = std::array<Vector3, 4>;
-
-std::array<Scalar, 4> column(const PseudoInertia& p, std::size_t k) {
-  return {p.at(0, k), p.at(1, k), p.at(2, k), p.at(3, k)};
-}
-
-/// Adds the joint's own motion to the relative velocities of all behind it: e_z x r or e_z, times the rate.
-Flow with_own_motion(Flow flow, const Link& link, const PseudoInertia& composite, const Scalar& rate) {
-  const bool slides = link.motion == Motion::prismatic;
-  const auto x = column(composite, 0), y = column(composite, 1), mass = column(composite, 3);
-  for (std::size_t r = 0; r < 4; ++r) {
-    if (slides) {
-      flow[r][2] = flow[r][2] + rate * mass[r];
-    } else {
-      flow[r][0] = flow[r][0] - rate * y[r];
-      flow[r][1] = flow[r][1] + rate * x[r];
-    }
-  }
-  return flow;
-}
-
-Flow rotated(const Flow& flow, std::size_t axis, const Circle& by) {
-  Flow half;
-  for (std::size_t r = 0; r < 4; ++r) half[r] = rotate(axis, by, flow[r]);
-  Flow result = half;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Vector3 turned = rotate(axis, by, {half[0][a], half[1][a], half[2][a]});
-    for (std::size_t r = 0; r < 3; ++r) result[r][a] = turned[r];
-  }
-  return result;
-}
-
-Flow shifted(const Flow& flow, const Vector3& t) {
-  Flow result = flow;
-  for (std::size_t r = 0; r < 3; ++r) result[r] = flow[r] + t[r] * flow[3];
-  return result;
-}
-
-Flow sum(const Flow& a, const Flow& b) {
-  Flow result;
-  for (std::size_t r = 0; r < 4; ++r) result[r] = a[r] + b[r];
-  return result;
-}
-
-PseudoInertia rate_of_inertia(const Flow& flow) {
-  PseudoInertia rate;
-  for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t k = r; k < 3; ++k) rate.at(r, k) = flow[r][k] + flow[k][r];
-    rate.at(r, 3) = flow[3][r];
-  }
-  return rate;
-}
 
 /// The matrix of Christoffel's symbols. A body's pose as a 4x4 matrix X lies in a flat space whose metric is
 /// the body's constant pseudo-inertia, M_ij = sum tr(d_i X P d_j X^T), so that
@@ -98,7 +43,7 @@ class ChristoffelSymbols {
       if (link.parent == no_link) continue;
       if (link.motion != Motion::none) flow = with_own_motion(flow, link, composite, rate_of(link));
       Behind& before = all[link.parent];
-      before.flow = sum(before.flow, carried(link, flow));
+      before.flow = sum(before.flow, carried(inward_, link, flow, graph_));
       before.bodies = before.bodies + inward_.transform_to_parent(j, composite);
     }
     const std::size_t size = model::base_motions(robot_) + robot_.joints.size();
@@ -157,23 +102,9 @@ class ChristoffelSymbols {
   }
 
   Open opened(std::size_t j, const Way& way, const PseudoInertia& composite, const Flow& flow) const {
-    const Column coriolis = coriolis_column(way, composite, flow, rotation_rates_[j]);
+    const Wrench w = coriolis_wrench(way, composite, flow, rotation_rates_[j]);
+    const Column coriolis{way.coordinate, way.slides, w.force, w.moment, {}};
     return {column_of(way, composite), column_of(way, rate_of_inertia(flow)), coriolis};
-  }
-
-  /// The wrench of G_j: the force is the last row, the moment the antisymmetric part of the others.
-  static Column coriolis_column(const Way& way, const PseudoInertia& composite, const Flow& flow,
-                                const Vector3& w) {
-    const std::size_t k = way.axis, i = (k + 1) % 3, j = (k + 2) % 3;
-    const auto x = column(composite, i), y = column(composite, j), mass = column(composite, 3);
-    Flow g;
-    for (std::size_t r = 0; r < 4; ++r) {
-      g[r][i] = way.slides ? w[j] * mass[r] : -(w[k] * x[r]) - flow[r][j];
-      g[r][j] = way.slides ? -(w[i] * mass[r]) : flow[r][i] - w[k] * y[r];
-      if (!way.slides) g[r][k] = w[i] * x[r] + w[j] * y[r];
-    }
-    const Vector3 moment = {g[1][2] - g[2][1], g[2][0] - g[0][2], g[0][1] - g[1][0]};
-    return {way.coordinate, way.slides, g[3], moment, {}};
   }
 
   /// `own`: the ways of the link, among which each pair comes in both orders.
@@ -197,13 +128,6 @@ class ChristoffelSymbols {
     }
     for (Column* column : {&outer.mass, &outer.rate, &outer.coriolis})
       inward_.transform_to_parent(j, *column);
-  }
-
-  Flow carried(const Link& link, const Flow& flow) const {
-    const Vector3 along = {Scalar(), Scalar(), inward_.shift_of(link)};
-    const Flow turned =
-        rotated(rotated(shifted(flow, along), 2, circle(link.angle, graph_)), 0, circle(link.alpha, graph_));
-    return shifted(turned, {link.a, link.b, Scalar()});
   }
 
   const model::Robot& robot_;

@@ -71,6 +71,10 @@ Formulation momentum_matrix(const model::Robot& robot, const FormulationOptions&
 /// Effects::velocity and M' - 2 C is skew-symmetric.
 Formulation coriolis_matrix(const model::Robot& robot, const FormulationOptions& choices);
 
+/// Outputs tau1 ..., then for each coordinate k the derivatives q1_k, q2_k, ... of all forces by its position
+/// and v1_k, v2_k, ... by its velocity, by composite bodies.
+Formulation inverse_dynamics_derivatives(const model::Robot& robot, const FormulationOptions& choices);
+
 /// Outputs qdd1 ...: M^-1 (force - bias), by M = U D U^T from the last joint inward, without a square root.
 Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices);
 

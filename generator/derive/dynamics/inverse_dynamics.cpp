@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
-#include "derive/dynamics/body.h"
 #include "derive/dynamics/followers.h"
+#include "derive/dynamics/newton_euler.h"
 #include "derive/dynamics/suggestions.h"
 #include "model/coordinates.h"
 
@@ -36,6 +36,8 @@ class Recursion {
     if (choices_.wrench) behind_.back() = wrench_to_balance(last);
     backward(out);
   }
+
+  NewtonEuler known() && { return {std::move(p_), std::move(states_), std::move(wrenches_)}; }
 
  private:
   /// A link with its joint's values.
@@ -109,6 +111,9 @@ class Recursion {
       if (!last.next.empty() || last.moving != Motion::revolute) continue;
       last.inertia = rotated(last.inertia, 2, last.angle);
       last.angle = {Scalar(graph_, graph_.constant(1)), Scalar()};
+      Link& link = p_.chain.links[static_cast<std::size_t>(&last - joints_.data())];
+      link.inertia = last.inertia;
+      link.angle = {};
     }
   }
 
@@ -269,10 +274,12 @@ class Recursion {
 
   void backward(dag::Function& out) {
     std::vector<Scalar> forces(model::base_motions(robot_) + robot_.joints.size());
+    wrenches_.resize(joints_.size());
     for (std::size_t j = joints_.size(); j-- > 0;) {
       const Joint& joint = joints_[j];
       const Wrench own = link_wrench(joint.inertia, states_[j].u, states_[j].v, suggest_);
       const Wrench total = own + behind_[j];
+      wrenches_[j] = total;
       for (const Way& way : ways_of(p_.chain.links[j]))
         forces[way.coordinate] =
             (way.slides ? p_.per_unit * total.force[way.axis] : total.moment[way.axis]) + joint.drive;
@@ -359,6 +366,7 @@ class Recursion {
   std::vector<Joint> joints_;
   std::vector<State> states_;
   std::vector<Wrench> behind_;  ///< by link, the sum over those that it carries
+  std::vector<Wrench> wrenches_;
   std::map<std::size_t, Arriving> arriving_;
   std::map<std::size_t, Wrench> unrotated_, last_shifted_;
 };
@@ -375,6 +383,12 @@ Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions
   Formulation result;
   Recursion(robot, choices, effects, result).run(result.function);
   return in_rates_of_leaders(robot, std::move(result));
+}
+
+NewtonEuler newton_euler(const model::Robot& robot, const FormulationOptions& choices, Formulation& out) {
+  Recursion recursion(robot, choices, Effects::all, out);
+  recursion.run(out.function);
+  return std::move(recursion).known();
 }
 
 }  // namespace qvgen::derive::dynamics

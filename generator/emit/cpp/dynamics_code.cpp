@@ -9,6 +9,7 @@
 #include "emit/ast/angle.h"
 #include "emit/ast/literal.h"
 #include "emit/cpp/angles.h"
+#include "emit/cpp/compact.h"
 #include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/template_values.h"
@@ -228,7 +229,8 @@ DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
 
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
-  const auto [set_up, code] = dynamics_code(robot, function, angles);
+  const auto [set_up, as_it_is] = dynamics_code(robot, function, angles);
+  const Code code = compact(as_it_is);
   const Arguments arguments = arguments_of(robot, interface, scalar);
   const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},

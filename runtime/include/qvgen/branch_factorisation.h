@@ -56,7 +56,7 @@ class BranchFactorisation {
     Padded x = Padded::Zero();
     x.diagonal().setOnes();
     for_each_row(Backwards<Rows>(),
-                 [&](auto i) { subtract<i>(Backwards<RowsCarriedBy<Branches, i>>(), x, Scalar(1)); });
+                 [&](auto i) { subtract_carried<i>(Backwards<RowsCarriedBy<Branches, i>>(), x); });
     for_each_row(Rows(), [&](auto k) { subtract<k>(Carrying<k>(), x, reciprocals_[k]); });
     return x;
   }
@@ -94,6 +94,24 @@ class BranchFactorisation {
     Registers sum(x.data() + row * lanes);
     sum.scale(scale);
     (sum.subtract(factors_.data()[place<row, other>], x.data() + other * lanes), ...);
+    sum.store(x.data() + row * lanes);
+  }
+
+  /// Columns that a row carries: others of its right-hand side are zero as long as nothing came from the
+  /// base.
+  template <int row>
+  struct Carried {
+    static constexpr bool any(int begin, int end) {
+      for (int column = begin; column < end && column < size; ++column)
+        if (Branches::carries(row, column)) return true;
+      return false;
+    }
+  };
+  template <int row, int... other>
+  void subtract_carried(std::integer_sequence<int, other...>, Padded& x) const {
+    Registers sum(x.data() + row * lanes);
+    (sum.template subtract_some<Carried<other>>(factors_.data()[place<row, other>], x.data() + other * lanes),
+     ...);
     sum.store(x.data() + row * lanes);
   }
 

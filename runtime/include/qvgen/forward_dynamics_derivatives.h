@@ -11,6 +11,8 @@
 // An arm, whose joints carry one another, has qvgen::Chain<dof>() for parents.
 #pragma once
 
+#include <type_traits>
+
 #include <qvgen/branch_factorisation.h>
 
 namespace qvgen {
@@ -33,6 +35,15 @@ void accelerations(const typename Mass::Padded& inverse, const Scalar* forces,
   sum.template store_first<Mass::size>(to);
 }
 
+/// True for a column of numbers that are zero, without derivatives of their own.
+template <class Column>
+bool is_zero(const Column& column) {
+  if constexpr (std::is_arithmetic_v<typename Column::Scalar>)
+    return (column.array() == 0).all();
+  else
+    return false;
+}
+
 }  // namespace detail
 
 /// `of_forces`: inverse_dynamics_derivatives of the robot, at the accelerations of forward_dynamics.
@@ -50,7 +61,11 @@ ForwardDynamicsDerivatives<Scalar, Branches::size> forward_dynamics_derivatives(
     const auto solve = [&](const auto& from, auto& to) {
       detail::accelerations<Mass>(inverse, from.data() + column * size, rows, to.data() + column * size);
     };
-    solve(of_forces.by_position, result.by_position);
+    // The place of a base makes no difference, nor does the turn of an upright first joint.
+    if (column < 3 && detail::is_zero(of_forces.by_position.col(column)))
+      result.by_position.col(column).setZero();
+    else
+      solve(of_forces.by_position, result.by_position);
     solve(of_forces.by_rate, result.by_rate);
   });
   return result;

@@ -83,11 +83,35 @@ void inverse_derivatives(std::size_t k, double* result) {
   store(found.by_position, result);
   store(found.by_rate, result, 1);
 }
+#if QVGEN_FLOATING
+/// Sines and cosines are computed once.
+struct Computed {
+  explicit Computed(const Motion& motion) : m(motion), angles(robot::dynamics_angles(m.at.q)) {}
+  auto mass() const { return robot::mass_matrix(m.at, angles, {}); }
+  Vector forces(const Vector& qdd) const {
+    return robot::inverse_dynamics(m.at, m.qd, qdd, gravity, angles, {});
+  }
+  auto derivatives(const Vector& qdd) const {
+    return robot::inverse_dynamics_derivatives(m.at, m.qd, qdd, gravity, angles, {});
+  }
+  const Motion& m;
+  robot::DynamicsAngles<double> angles;
+  FreeFall<double> gravity = 9.80665;
+};
+#else
+struct Computed {
+  auto mass() const { return robot::mass_matrix(m.at); }
+  Vector forces(const Vector& qdd) const { return robot::inverse_dynamics(m.at, m.qd, qdd); }
+  auto derivatives(const Vector& qdd) const { return robot::inverse_dynamics_derivatives(m.at, m.qd, qdd); }
+  const Motion& m;
+};
+#endif
+
 void forward_derivatives(std::size_t k, double* result) {
-  const Motion& m = motions[k];
-  const BranchFactorisation mass(robot::mass_matrix(m.at), parents);
-  const Vector qdd = mass.solve(m.qdd - robot::inverse_dynamics(m.at, m.qd, Vector::Zero().eval()));
-  const auto found = forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(m.at, m.qd, qdd));
+  const Computed at{motions[k]};
+  const BranchFactorisation mass(at.mass(), parents);
+  const Vector qdd = mass.solve(motions[k].qdd - at.forces(Vector::Zero()));
+  const auto found = forward_dynamics_derivatives(mass, at.derivatives(qdd));
   store(found.by_position, result);
   store(found.by_rate, result, 1);
   store(found.by_torque, result, 2);

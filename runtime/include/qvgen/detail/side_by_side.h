@@ -61,10 +61,22 @@ class SideBySide<Scalar, std::integer_sequence<int, part...>> {
     const Numbers all(factor);
     ((parts_[part] -= all * Unit::load(from + part * Unit::size)), ...);
   }
+  /// Likewise where the numbers are zero outside of the registers that `Takes::any(begin, end)` is true for.
+  template <class Takes>
+  [[gnu::always_inline]] void subtract_some(const Scalar& factor, const Scalar* from) {
+    const Numbers all(factor);
+    (subtract_if<Takes::any(part * Unit::size, part * Unit::size + Unit::size), part>(all, from), ...);
+  }
 
  private:
   using Unit = Register<Scalar>;
   using Numbers = typename Unit::Numbers;
+
+  template <bool takes, int which>
+  [[gnu::always_inline]] void subtract_if(const Numbers& factor, const Scalar* from) {
+    if constexpr (takes) parts_[which] -= factor * Unit::load(from + which * Unit::size);
+  }
+
   Numbers parts_[sizeof...(part)];
 };
 

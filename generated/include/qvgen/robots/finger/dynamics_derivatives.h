@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 316 multiplications, 203 additions, 2 sine/cosine pairs. Set-up: 66 multiplications, 63 additions.
+/// 282 multiplications, 192 additions, 2 sine/cosine pairs. Set-up: 66 multiplications, 64 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,

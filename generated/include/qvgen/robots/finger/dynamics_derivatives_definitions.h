@@ -20,59 +20,58 @@ InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constan
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.l2 * inertia.m3 + t0;
-  const Scalar t2 = inertia.c3z * inertia.m3;
-  const Scalar t3 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t5 = inertia.c3y * inertia.m3;
-  const Scalar t6 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t8 = (inertia.I3zz - t7) - inertia.c3z * t2;
-  const Scalar t9 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t7));
-  const Scalar t10 = inertia.c2y * inertia.m2;
-  const Scalar t11 = inertia.I2yz - inertia.c2z * t10;
-  const Scalar t12 = inertia.c2x * inertia.m2;
-  const Scalar t13 = g.l1 * t10 - (inertia.I2xy - inertia.c2y * t12);
-  const Scalar t14 = (Scalar(0.984807753012208) * t11 - Scalar(0.17364817766693036) * t13) - t3 * t5;
-  const Scalar t15 = inertia.m3 * t3;
-  const Scalar t16 = inertia.c2z * inertia.m2;
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t12) - g.l1 * t16;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = g.l1 * inertia.m2 + t12;
-  const Scalar t20 = (inertia.c2x * t12 - (inertia.I2xx - t18)) + g.l1 * (t12 + t19);
-  const Scalar t21 = (inertia.I2zz - t18) - inertia.c2z * t16;
-  const Scalar t22 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t20 + t21);
-  const Scalar t23 = Scalar(0.17364817766693036) * t22;
-  const Scalar t24 = inertia.m3 * t4;
-  const Scalar t25 = t4 * t5 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t11);
-  const Scalar t26 = Scalar(0.01) * (t15 + (Scalar(0.984807753012208) * t16 + Scalar(0.17364817766693036) * t19));
-  const Scalar t27 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t16 - Scalar(0.984807753012208) * t19) - t24);
-  const Scalar t28 = inertia.c1x * inertia.m1;
-  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t30 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t28) + t28)
-      + (inertia.c1x * t28 - (inertia.I1xx - t29));
-  const Scalar t31 = ((inertia.I3yy - t7) - inertia.c3y * t5) + ((inertia.I2yy - t18) - inertia.c2y * t10);
-  const Scalar t32 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t29));
-  return { Scalar(0.01) * t1,
-           Scalar(0.01) * t2,
-           Scalar(100) * t3,
-           Scalar(100) * t4,
-           g.l2 * t5 - (inertia.I3xy - inertia.c3y * t0),
-           inertia.I3yz - inertia.c3z * t5,
-           Scalar(2) * t6,
-           t8 + t9,
-           t6,
-           t8,
-           t14,
-           t3 * t15 - (t23 + t21),
-           t3 * t24 + (t17 - Scalar(0.984807753012208) * t22),
+  const Scalar t0 = inertia.c1x * inertia.m1;
+  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t2 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t0) + t0) + (inertia.c1x * t0 - (inertia.I1xx - t1));
+  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t4 = inertia.c3y * inertia.m3;
+  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t6 = inertia.c2y * inertia.m2;
+  const Scalar t7 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t5) - inertia.c2y * t6);
+  const Scalar t8 = t7 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t1));
+  const Scalar t9 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t10 = inertia.c2x * inertia.m2;
+  const Scalar t11 = g.l1 * t6 - (inertia.I2xy - inertia.c2y * t10);
+  const Scalar t12 = inertia.I2yz - inertia.c2z * t6;
+  const Scalar t13 = t9 * t4 + (Scalar(0.984807753012208) * t11 + Scalar(0.17364817766693036) * t12);
+  const Scalar t14 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t15 = (Scalar(0.984807753012208) * t12 - Scalar(0.17364817766693036) * t11) - t14 * t4;
+  const Scalar t16 = inertia.m3 * t9;
+  const Scalar t17 = inertia.c2z * inertia.m2;
+  const Scalar t18 = (inertia.I2xz - inertia.c2z * t10) - g.l1 * t17;
+  const Scalar t19 = g.l1 * inertia.m2 + t10;
+  const Scalar t20 = (inertia.c2x * t10 - (inertia.I2xx - t5)) + g.l1 * (t10 + t19);
+  const Scalar t21 = (inertia.I2zz - t5) - inertia.c2z * t17;
+  const Scalar t22 = Scalar(2) * Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * (t20 + t21);
+  const Scalar t23 = inertia.m3 * t14;
+  const Scalar t24 = Scalar(0.17364817766693036) * t22;
+  const Scalar t25 = Scalar(0.01) * (t23 + (Scalar(0.984807753012208) * t17 + Scalar(0.17364817766693036) * t19));
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.l2 * inertia.m3 + t26;
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = g.l2 * t28 - (inertia.I3xz - inertia.c3z * t26);
+  const Scalar t30 = (inertia.I3zz - t3) - inertia.c3z * t28;
+  const Scalar t31 = g.l2 * (t27 + t26) + (inertia.c3x * t26 - (inertia.I3xx - t3));
+  const Scalar t32 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t17 - Scalar(0.984807753012208) * t19) - t16);
+  return { (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t2) - t8,
+           t13,
+           t15,
+           t14 * t16 + (t18 - Scalar(0.984807753012208) * t22),
+           t14 * t23 - (t24 + t21),
            t25,
-           t26,
-           t9,
-           (t20 + t23) + t4 * t24,
-           t27,
-           (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t30) - t32,
+           Scalar(0.01) * t27,
+           Scalar(0.01) * t28,
+           Scalar(100) * t14,
+           Scalar(100) * t9,
+           g.l2 * t4 - (inertia.I3xy - inertia.c3y * t26),
+           inertia.I3yz - inertia.c3z * t4,
+           Scalar(2) * t29,
+           t30 + t31,
+           t30,
+           t29,
+           (t20 + t24) + t9 * t16,
+           t32,
+           t30 - t31,
            Scalar(100) * gravity };
 }
 
@@ -87,157 +86,135 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   // c_0: of 2*bend/3
   // s_1: of bend + turn(1/18)
   // c_1: of bend + turn(1/18)
-  const Scalar t0 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t1 = qd[0] * s_1;
-  const Scalar t2 = qd[0] * t1;
-  const Scalar t3 = c_1 * t2;
-  const Scalar t4 = t0 - t3;
-  const Scalar t5 = k[4] * s_0 + k[5] * c_0;
-  const Scalar t6 = qd[0] * c_1;
-  const Scalar t7 = qd[0] * t6;
-  const Scalar t8 = c_1 * t7;
-  const Scalar t9 = qd[1] * qd[1];
-  const Scalar t10 = Scalar(2.7777777777777777) * t9;
-  const Scalar t11 = t8 - t10;
-  const Scalar t12 = k[4] * c_0 - k[5] * s_0;
-  const Scalar t13 = t1 * t1;
-  const Scalar t14 = t8 - t13;
-  const Scalar t15 = t14 * t12;
-  const Scalar t16 = k[7] * s_0 - k[6] * c_0;
-  const Scalar t17 = s_0 * t16;
-  const Scalar t18 = k[15] - t17;
-  const Scalar t19 = qd[1] * t1;
-  const Scalar t20 = qdd[0] * c_1;
-  const Scalar t21 = Scalar(3.3333333333333335) * t19 - t20;
-  const Scalar t22 = qd[1] * t6;
-  const Scalar t23 = qdd[0] * s_1;
-  const Scalar t24 = Scalar(3.3333333333333335) * t22 + t23;
-  const Scalar t25 = k[8] + c_0 * t16;
-  const Scalar t26 = t24 * t25;
-  const Scalar t27 = (t4 * t5 - (t11 * t12 - t15)) - (t18 * t21 + t26);
-  const Scalar t28 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t29 = Scalar(2) * t19 - t20;
-  const Scalar t30 = Scalar(2) * t22 + t23;
-  const Scalar t31 = qdd[0] - (k[3] * t29 - k[2] * t30);
-  const Scalar t32 = t27 + t28 * t31;
-  const Scalar t33 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t34 = t28 * t21 - t33 * t24;
-  const Scalar t35 = qdd[1] + t3;
-  const Scalar t36 = t0 + t3;
-  const Scalar t37 = t36 - t4;
-  const Scalar t38 = t35 - t37;
-  const Scalar t39 = k[12] * t30;
-  const Scalar t40 = (k[10] * t38 + k[13] * (t9 - t13)) + (t39 - k[16] * t29);
-  const Scalar t41 = (t32 - k[3] * t34) + (t40 - k[17] * qdd[0]);
-  const Scalar t42 = k[12] * t29;
-  const Scalar t43 = (k[11] * t30 - t42) + k[10] * (t8 - t9);
-  const Scalar t44 = k[9] - t17;
-  const Scalar t45 = t25 * t21;
-  const Scalar t46 = ((t24 * t44 - t45) - t11 * t5) - t36 * t12;
-  const Scalar t47 = t46 - t33 * t31;
-  const Scalar t48 = ((t43 + k[13] * t35) + k[14] * qdd[0]) - (k[2] * t34 + t47);
-  const Scalar t49 = (c_1 * t41 + s_1 * t48) - (t34 - (k[17] * t29 + k[14] * t30));
-  const Scalar t50 = k[19] * c_1 - t2;
-  const Scalar t51 = t8 + t9;
-  const Scalar t52 = t50 + (k[2] * (t14 - t51) - k[3] * t35);
-  const Scalar t53 = k[19] * s_1 + t7;
-  const Scalar t54 = (k[3] * t51 - k[2] * t38) + t53;
-  const Scalar t55 = s_1 * t12;
-  const Scalar t56 = (t36 * t18 - t4 * t44) + t14 * t25;
-  const Scalar t57 = (t52 * t28 + t33 * t54) - ((qdd[0] * t55 + t5 * t20) + t56);
-  const Scalar t58 = s_1 * t28;
-  const Scalar t59 = qd[0] * t58;
-  const Scalar t60 = t14 * t33 - Scalar(2) * t59 * t6;
-  const Scalar t61 = t8 + t10;
-  const Scalar t62 = t33 * t61 + t4 * t28;
-  const Scalar t63 = t28 * t61 - t33 * t4;
-  const Scalar t64 = t57 + (k[3] * (t60 - t62) + k[2] * t63);
-  const Scalar t65 = (k[16] * t35 + k[11] * t38) - k[12] * t14;
-  const Scalar t66 = (t65 + (k[10] * t20 + k[13] * t23)) + (k[17] * t50 - k[14] * t53);
-  const Scalar t67 = qd[1] * c_1;
-  const Scalar t68 = qd[1] * s_1;
-  const Scalar t69 = Scalar(2) * k[12] * t67 - Scalar(2) * k[16] * t68;
-  const Scalar t70 = k[10] * c_1;
-  const Scalar t71 = Scalar(2) * t70 * t1 + Scalar(2) * k[13] * s_1 * t1;
-  const Scalar t72 = Scalar(2) * k[2] * t67 - Scalar(2) * k[3] * t68;
-  const Scalar t73 = s_1 * t18;
-  const Scalar t74 = Scalar(3.3333333333333335) * qd[1] * t73 + Scalar(3.3333333333333335) * t25 * t67;
-  const Scalar t75 = s_1 * t5;
-  const Scalar t76 = Scalar(2) * s_1 * t12 * t1 + Scalar(2) * t6 * t75;
-  const Scalar t77 = c_1 * t33;
-  const Scalar t78 = qd[1] * t28;
-  const Scalar t79 = Scalar(3.3333333333333335) * qd[1] * t77 - Scalar(3.3333333333333335) * s_1 * t78;
-  const Scalar t80 = (t72 * t28 - (t74 + t76)) + k[3] * t79;
-  const Scalar t81 = c_1 * t44;
-  const Scalar t82 = Scalar(3.3333333333333335) * qd[1] * t81 - Scalar(3.3333333333333335) * t25 * t68;
-  const Scalar t83 = Scalar(2) * t55 * t6 + (Scalar(2) * c_1 * t5 * t6 - t82);
-  const Scalar t84 = Scalar(2) * k[12] * t68 - Scalar(2) * k[11] * t67;
-  const Scalar t85 = (Scalar(2) * t70 * t6 - t84) + Scalar(2) * t1 * k[13] * c_1;
-  const Scalar t86 = ((t33 * t72 + t83) + k[2] * t79) + t85;
-  const Scalar t87 = c_1 * ((t69 - t71) + t80) + s_1 * t86;
-  const Scalar t88 = Scalar(2) * k[17] * t68 + Scalar(2) * k[14] * t67;
-  const Scalar t89 = Scalar(2) * k[3] * c_1 * t6 + Scalar(2) * k[2] * s_1 * t6;
-  const Scalar t90 = Scalar(2) * k[2] * s_1 * t1 + Scalar(2) * k[3] * c_1 * t1;
-  const Scalar t91 = t33 * (Scalar(2) * t6 + t89) - t28 * (t90 + Scalar(2) * t1);
-  const Scalar t92 = Scalar(2) * s_1 * t1 - Scalar(2) * c_1 * t6;
-  const Scalar t93 = Scalar(2) * t1 * t81 + Scalar(2) * t73 * t6;
-  const Scalar t94 = t91 + (t25 * t92 - t93);
-  const Scalar t95 = Scalar(2) * t58 * t6 + Scalar(2) * s_1 * t33 * t1;
-  const Scalar t96 = Scalar(2) * t77 * t1 + Scalar(2) * c_1 * t28 * t6;
-  const Scalar t97 = Scalar(2) * k[16] * c_1 * t1 - Scalar(2) * k[11] * s_1 * t6;
-  const Scalar t98 = Scalar(2) * k[14] * t6 + Scalar(2) * k[17] * t1;
-  const Scalar t99 = (t94 - (k[3] * t95 - k[2] * t96)) - ((k[12] * t92 + t97) - t98);
-  const Scalar t100 = t24 * t28 + t33 * t21;
-  const Scalar t101 = (t14 * t5 + t12 * t37) + (t24 * t18 - t45);
-  const Scalar t102 = k[3] * t100;
-  const Scalar t103 = (t21 * t44 + t26) - Scalar(2) * qd[0] * t6 * t75;
-  const Scalar t104 = t103 + t15;
-  const Scalar t105 = k[2] * t100;
-  const Scalar t106 = c_1 * ((t47 + t101) + t102) + s_1 * ((t32 - t104) + t105);
-  const Scalar t107 = (k[10] * t37 + (k[11] * t29 + t39)) - k[13] * t14;
-  const Scalar t108 = k[2] * t29 + k[3] * t30;
-  const Scalar t109 = s_1 * (t107 - ((t104 - t33 * t108) - t105));
-  const Scalar t110 = (k[16] * t30 + t42) + (k[13] * t37 + k[10] * t14);
-  const Scalar t111 = c_1 * (((t28 * t108 + t101) + t102) + t110);
-  const Scalar t112 = (c_1 * t48 - t109) - (s_1 * t41 + t111);
-  const Scalar t113 = t112 + ((k[17] * t30 - k[14] * t29) - t100);
-  const Scalar t114 = t25 * t1;
-  const Scalar t115 = Scalar(4) * t114 * t6 - (t18 + t44) * t14;
-  const Scalar t116 = (t12 * t20 - t5 * t23) - t115;
-  const Scalar t117 = t116 + (t28 * t54 - t33 * t52);
-  const Scalar t118 = qd[0] * t77;
-  const Scalar t119 = Scalar(2) * t1 * t118 + t14 * t28;
-  const Scalar t120 = (k[2] * t62 - k[3] * (t119 - t63)) - t117;
-  const Scalar t121 = Scalar(4) * k[12] * t1 * t6 - (k[11] * t14 - k[16] * t14);
-  const Scalar t122 = (t121 + (k[13] * t20 - k[10] * t23)) - (k[14] * t50 + k[17] * t53);
-  const Scalar t123 = t50 + (k[2] * t14 - Scalar(2) * k[3] * qd[0] * c_1 * t1);
-  const Scalar t124 = (k[3] * t14 + Scalar(2) * k[2] * t1 * t6) + t53;
-  const Scalar t125 = t116 - (t33 * t123 - t28 * t124);
-  const Scalar t126 = t122 + (t125 - (k[2] * t60 - k[3] * t119));
-  const Scalar t127 = Scalar(0.6666666666666666) * (Scalar(0.6666666666666666) * t117 - t120)
-      + (t126 + Scalar(0.6666666666666666) * t125);
-  const Scalar t128 = Scalar(2) * k[12] * t1 - Scalar(2) * k[11] * t6;
-  const Scalar t129 = Scalar(3.3333333333333335) * t118 - Scalar(3.3333333333333335) * t59;
-  const Scalar t130 = Scalar(2) * k[2] * t6 - Scalar(2) * k[3] * t1;
-  const Scalar t131 = (Scalar(3.3333333333333335) * t44 * t6 - Scalar(3.3333333333333335) * t114)
-      + Scalar(5.555555555555555) * qd[1] * t5;
-  const Scalar t132 = (t128 + Scalar(2) * k[10] * qd[1]) - (k[2] * t129 + (t33 * t130 - t131));
-  const Scalar t133 = Scalar(3.3333333333333335) * t25 * t6 + Scalar(3.3333333333333335) * t18 * t1;
-  const Scalar t134 = t28 * t130 + (Scalar(5.555555555555555) * qd[1] * t12 - t133);
-  const Scalar t135 = Scalar(2) * k[16] * t1 - Scalar(2) * k[12] * t6;
-  const Scalar t136 = (t134 + k[3] * t129) - (t135 - Scalar(2) * k[13] * qd[1]);
-  const Scalar t137 = (s_1 * t132 - c_1 * t136) - (t129 + t98);
-  const Scalar t138 = Scalar(2) * k[2] * t78 - Scalar(2) * qd[1] * k[3] * t33;
+  const Scalar t0 = qd[1] * qd[0] * s_1;
+  const Scalar t1 = qdd[0] * c_1;
+  const Scalar t2 = Scalar(2) * t0 - t1;
+  const Scalar t3 = qd[1] * qd[0] * c_1;
+  const Scalar t4 = qdd[0] * s_1;
+  const Scalar t5 = Scalar(2) * t3 + t4;
+  const Scalar t6 = k[3] * t5;
+  const Scalar t7 = qd[0] * qd[0];
+  const Scalar t8 = s_1 * t7;
+  const Scalar t9 = s_1 * t8;
+  const Scalar t10 = qd[1] * qd[1];
+  const Scalar t11 = t9 - t10;
+  const Scalar t12 = c_1 * t7;
+  const Scalar t13 = s_1 * t12;
+  const Scalar t14 = qdd[1] - t13;
+  const Scalar t15 = (k[16] * t2 - t6) + (k[1] * t11 - k[2] * t14);
+  const Scalar t16 = Scalar(3.3333333333333335) * t3 + t4;
+  const Scalar t17 = k[13] * s_0 - k[12] * c_0;
+  const Scalar t18 = k[15] + c_0 * t17;
+  const Scalar t19 = t16 * t18;
+  const Scalar t20 = Scalar(3.3333333333333335) * t0 - t1;
+  const Scalar t21 = k[14] - s_0 * t17;
+  const Scalar t22 = k[10] * s_0 + k[11] * c_0;
+  const Scalar t23 = (t19 + t20 * t21) - Scalar(2) * t13 * t22;
+  const Scalar t24 = k[10] * c_0 - k[11] * s_0;
+  const Scalar t25 = t7 - t11;
+  const Scalar t26 = t9 + t10;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t23 + t24 * t27;
+  const Scalar t29 = k[7] * s_0 + k[6] * c_0;
+  const Scalar t30 = qdd[0] + (k[8] * t5 - k[9] * t2);
+  const Scalar t31 = k[18] - t21;
+  const Scalar t32 = t21 - t31;
+  const Scalar t33 = t9 + Scalar(2.7777777777777777) * t10;
+  const Scalar t34 = t7 - t33;
+  const Scalar t35 = (t20 * t32 + Scalar(2) * t19) + t34 * t24;
+  const Scalar t36 = qdd[1] + t13;
+  const Scalar t37 = Scalar(0.6666666666666666) * qdd[1] + t36;
+  const Scalar t38 = t29 * t30 - (t35 - t22 * t37);
+  const Scalar t39 = k[6] * s_0 - k[7] * c_0;
+  const Scalar t40 = t29 * t20 + t39 * t16;
+  const Scalar t41 = (k[17] * qdd[0] + t15) - ((t28 + t38) - k[9] * t40);
+  const Scalar t42 = k[3] * t2;
+  const Scalar t43 = (k[4] * t5 - t42) + k[2] * (t11 + t27);
+  const Scalar t44 = t20 * t18;
+  const Scalar t45 = t24 * t37 + (t34 * t22 + (t44 - t16 * t21));
+  const Scalar t46 = t39 * t30 - t45;
+  const Scalar t47 = (k[5] * qdd[0] + (t43 + k[1] * t36)) - (t46 + k[8] * t40);
+  const Scalar t48 = (c_1 * t41 - s_1 * t47) - ((k[5] * t5 + k[17] * t2) - t40);
+  const Scalar t49 = k[3] * t27 - (k[4] * t14 + k[16] * t36);
+  const Scalar t50 = t8 - k[19] * c_1;
+  const Scalar t51 = t12 + k[19] * s_1;
+  const Scalar t52 = ((k[1] * t4 + k[2] * t1) - t49) - (k[17] * t50 + k[5] * t51);
+  const Scalar t53 = Scalar(2) * t13 - t37;
+  const Scalar t54 = (t21 * t53 - t37 * t31) + t18 * t27;
+  const Scalar t55 = t50 + (k[8] * t26 + k[9] * t36);
+  const Scalar t56 = (k[9] * t25 - k[8] * t14) + t51;
+  const Scalar t57 = ((t24 * t4 + t22 * t1) + t54) + (t29 * t55 + t39 * t56);
+  const Scalar t58 = t33 + t27;
+  const Scalar t59 = k[8] * (t29 * t58 - t39 * t53) + k[9] * (t39 * t33 - t29 * t37);
+  const Scalar t60 = qd[1] * t29;
+  const Scalar t61 = qd[1] * t39;
+  const Scalar t62 = Scalar(1.3333333333333333) * k[9] * t61;
+  const Scalar t63 = Scalar(1.3333333333333333) * k[8] * t60 + t62;
+  const Scalar t64 = k[3] - ((k[9] * t39 + t18) - k[8] * t29);
+  const Scalar t65 = (Scalar(1.3333333333333333) * qd[1] * t18 + t62) - Scalar(2) * qd[1] * t64;
+  const Scalar t66 = Scalar(1.3333333333333333) * k[8] * t61 + Scalar(1.3333333333333333) * qd[1] * t21;
+  const Scalar t67 = k[4] - (Scalar(2) * k[8] * t39 + t21);
+  const Scalar t68 = s_1 * (t63 - t65) + c_1 * (t66 - Scalar(2) * qd[1] * t67);
+  const Scalar t69 = Scalar(1.3333333333333333) * qd[1] * t31 - Scalar(1.3333333333333333) * k[9] * t60;
+  const Scalar t70 = k[16] + (Scalar(2) * k[9] * t29 - t31);
+  const Scalar t71 = s_1 * (t69 - Scalar(2) * qd[1] * t70) - c_1 * t65;
+  const Scalar t72 = k[17] - t29;
+  const Scalar t73 = s_1 * (Scalar(2) * qd[1] * t72 - Scalar(1.3333333333333333) * t60);
+  const Scalar t74 = k[5] - t39;
+  const Scalar t75 = c_1 * (Scalar(1.3333333333333333) * t61 - Scalar(2) * qd[1] * t74);
+  const Scalar t76 = (s_1 * t68 - c_1 * t71) - (t73 - t75);
+  const Scalar t77 = Scalar(2) * qd[0] * c_1 * t64;
+  const Scalar t78 = (t77 + Scalar(2) * qd[0] * s_1 * t67) + Scalar(2) * qd[0] * t74;
+  const Scalar t79 = Scalar(2) * qd[0] * s_1 * t64;
+  const Scalar t80 = Scalar(2) * qd[0] * t72 - (t79 + Scalar(2) * qd[0] * c_1 * t70);
+  const Scalar t81 = Scalar(2) * k[9] * qd[0] * c_1 + Scalar(2) * k[8] * qd[0] * s_1;
+  const Scalar t82 = t81 + Scalar(2) * qd[0];
+  const Scalar t83 = Scalar(2) * qd[0] * c_1 * t18;
+  const Scalar t84 = t39 * t82 + (Scalar(2) * qd[0] * s_1 * t21 + t83);
+  const Scalar t85 = Scalar(2) * qd[0] * s_1 * t18;
+  const Scalar t86 = (t85 + Scalar(2) * qd[0] * c_1 * t31) - t29 * t82;
+  const Scalar t87 = (c_1 * t78 + s_1 * t80) - Scalar(0.6666666666666666) * (c_1 * t84 - s_1 * t86);
+  const Scalar t88 = Scalar(2) * k[2] * t13 + (k[4] * t2 + t6);
+  const Scalar t89 = t29 * t16 - t39 * t20;
+  const Scalar t90 = k[8] * t89;
+  const Scalar t91 = k[8] * t2 + k[9] * t5;
+  const Scalar t92 = (k[1] * t27 - t88) - (t90 - (t39 * t91 + t28));
+  const Scalar t93 = (Scalar(2) * k[1] * t13 + k[2] * t27) + (k[16] * t5 + t42);
+  const Scalar t94 = k[9] * t89;
+  const Scalar t95 = (t16 * t31 + t44) - (t22 * t27 + Scalar(2) * t24 * t13);
+  const Scalar t96 = t47 - (t93 + (t94 - (t95 - t91 * t29)));
+  const Scalar t97 = (s_1 * (t92 + t41) + c_1 * t96) - (t89 - (k[17] * t5 - k[5] * t2));
+  const Scalar t98 = s_1 * (t90 + t38) + c_1 * ((t46 - t95) + t94);
+  const Scalar t99 = (t32 * t27 - Scalar(4) * qd[0] * qd[0] * c_1 * s_1 * t18) + (t24 * t1 - t22 * t4);
+  const Scalar t100 = (t39 * t55 - t29 * t56) - t99;
+  const Scalar t101 = k[8] * (t29 * t53 + t39 * t58) - k[9] * (t29 * t33 + t39 * t37);
+  const Scalar t102 = t51 + (k[9] * t27 + Scalar(2) * k[8] * t13);
+  const Scalar t103 = (Scalar(2) * k[9] * t13 - k[8] * t27) + t50;
+  const Scalar t104 = Scalar(0.6666666666666666) * (t99 + (t29 * t102 - t39 * t103));
+  const Scalar t105 = t4 * (k[2] + t22) - (k[1] + t24) * t1;
+  const Scalar t106 = Scalar(4) * qd[0] * qd[0] * c_1 * s_1 * t64 + (t70 - t67) * t27;
+  const Scalar t107 = (t105 - t106) - (t50 * t74 - t51 * t72);
+  const Scalar t108 = Scalar(0.6666666666666666) * (Scalar(0.6666666666666666) * t100 + (t100 - t101)) - (t104 - t107);
+  const Scalar t109 = Scalar(2) * qd[0] * c_1 * t39 + Scalar(2) * qd[0] * s_1 * t29;
+  const Scalar t110 = Scalar(3.3333333333333335) * qd[1] * t22;
+  const Scalar t111 = k[8] * t109 - ((t85 - Scalar(2) * qd[0] * c_1 * t21) - t110);
+  const Scalar t112 = Scalar(3.3333333333333335) * qd[1] * t24;
+  const Scalar t113 = k[9] * t109 - ((Scalar(2) * qd[0] * s_1 * t31 - t83) + t112);
+  const Scalar t114 = Scalar(0.6666666666666666) * (t109 + (s_1 * t111 + c_1 * t113));
+  const Scalar t115 = (Scalar(2) * qd[0] * c_1 * t67 - t79) - (Scalar(2) * k[2] * qd[1] + t110);
+  const Scalar t116 = (Scalar(2) * k[1] * qd[1] + t112) - (Scalar(2) * qd[0] * s_1 * t70 - t77);
+  const Scalar t117 = Scalar(2) * qd[0] * c_1 * t74 + Scalar(2) * qd[0] * s_1 * t72;
+  const Scalar t118 = t114 - ((s_1 * t115 + c_1 * t116) + t117);
   InverseDynamicsDerivatives<Scalar> result;
-  result.torque[0] = k[18] * qdd[0] + t49;
-  result.torque[1] = -Scalar(0.6666666666666666) * t57 - (t64 - t66);
+  result.torque[0] = k[0] * qdd[0] - t48;
+  result.torque[1] = (t52 + (t57 - t59)) + Scalar(0.6666666666666666) * t57;
   result.by_position(0, 0) = result.by_position(1, 0) = Scalar(0);
-  result.by_rate(0, 0) = t87 + (t88 + t79);
-  result.by_rate(1, 0) = -t99 - Scalar(0.6666666666666666) * t94;
-  result.by_position(0, 1) = t113 - Scalar(0.6666666666666666) * (t100 + t106);
-  result.by_position(1, 1) = t127;
-  result.by_rate(0, 1) = -t137;
-  result.by_rate(1, 1) = -Scalar(1.1111111111111112) * t138;
+  result.by_rate(0, 0) = -t76;
+  result.by_rate(1, 0) = -t87;
+  result.by_position(0, 1) = t97 - Scalar(0.6666666666666666) * (t89 + t98);
+  result.by_position(1, 1) = -t108;
+  result.by_rate(0, 1) = -t118;
+  result.by_rate(1, 1) = -Scalar(1.6666666666666667) * t63;
   return result;
 }
 

@@ -17,10 +17,10 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 123 multiplications, 74 additions, 1 sine/cosine pair. Set-up: 14 multiplications, 23 additions, 2 divisions.
+/// 89 multiplications, 55 additions, 1 sine/cosine pair. Set-up: 14 multiplications, 23 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
-/// Largest rounding error found 6.95 ulp of the largest component.
+/// Largest rounding error found 4.27 ulp of the largest component.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},

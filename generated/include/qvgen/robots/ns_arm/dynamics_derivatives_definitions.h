@@ -24,17 +24,17 @@ InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constan
   const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
   const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
-  const Scalar t4 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
-  const Scalar t5 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  const Scalar t4 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  const Scalar t5 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
   return { (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
-           t4,
            Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
-           Scalar(1) / g.d2,
            gravity / g.d2,
+           Scalar(1) / g.d2,
            g.d2 * g.d2 * inertia.m3,
+           t4,
            t5,
-           t5 - t4,
-           t5 + t4 };
+           t4 - t5,
+           t4 + t5 };
 }
 
 namespace detail {
@@ -44,96 +44,78 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
   const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
-  const Scalar t0 = qdd[0] * s2;
-  const Scalar t1 = qd[1] * c2;
-  const Scalar t2 = Scalar(2) * qd[0];
-  const Scalar t3 = t0 + t1 * t2;
-  const Scalar t4 = k[3] * qd[2];
-  const Scalar t5 = Scalar(2) * s2 * t4;
-  const Scalar t6 = qd[0] * qd[0];
-  const Scalar t7 = k[3] * t3;
-  const Scalar t8 = qd[0] * t5 - (t6 - q[2] * t7);
-  const Scalar t9 = k[3] * q[2];
-  const Scalar t10 = k[5] * t8 - k[2] * t3;
-  const Scalar t11 = qd[0] * c2;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t6 - t12;
-  const Scalar t14 = qd[1] * qd[1] + t13;
-  const Scalar t15 = t0 - k[4] * c2;
-  const Scalar t16 = k[5] * ((t9 * t14 + t15) - k[3] * qdd[2]);
-  const Scalar t17 = t16 - k[2] * t14;
-  const Scalar t18 = k[6] * t3 + ((k[2] * t8 - t9 * t10) - t17);
-  const Scalar t19 = qd[1] * s2;
+  const Scalar t0 = k[3] * qd[2];
+  const Scalar t1 = qd[0] * s2;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = k[3] * q[2];
+  const Scalar t4 = qdd[0] * s2;
+  const Scalar t5 = qd[0] * c2;
+  const Scalar t6 = Scalar(2) * t5;
+  const Scalar t7 = t4 + qd[1] * t6;
+  const Scalar t8 = t3 * t7;
+  const Scalar t9 = t5 * t5;
+  const Scalar t10 = t1 * t1;
+  const Scalar t11 = (t2 + t2) + (t8 - (t9 + t10));
+  const Scalar t12 = k[1] * t7;
+  const Scalar t13 = k[4] * t11 - t12;
+  const Scalar t14 = (t13 * t3 - k[1] * t11) - k[5] * t7;
+  const Scalar t15 = qd[1] * qd[1] + t10;
+  const Scalar t16 = t4 - k[2] * c2;
+  const Scalar t17 = k[4] * ((t16 + t3 * t15) - k[3] * qdd[2]);
+  const Scalar t18 = k[1] * t15 - t17;
+  const Scalar t19 = t14 - t18;
   const Scalar t20 = qdd[0] * c2;
-  const Scalar t21 = t19 * t2 - t20;
-  const Scalar t22 = qd[0] * s2;
-  const Scalar t23 = t22 * t11;
+  const Scalar t21 = qd[1] * t1;
+  const Scalar t22 = (t20 - t21) - t21;
+  const Scalar t23 = t1 * t5;
   const Scalar t24 = qdd[1] - t23;
-  const Scalar t25 = k[3] * t24;
-  const Scalar t26 = k[4] * s2 + t20;
-  const Scalar t27 = qd[1] * t4;
-  const Scalar t28 = (q[2] * t25 - t26) + (t27 + t27);
-  const Scalar t29 = k[2] * t24 - k[5] * t28;
-  const Scalar t30 = k[1] * t21 + t29;
-  const Scalar t31 = k[0] * qdd[0] + (s2 * t18 - c2 * t30);
-  const Scalar t32 = k[3] * t29;
-  const Scalar t33 = (k[7] * t23 - k[8] * qdd[1]) - (q[2] * t32 + k[2] * t28);
-  const Scalar t34 = k[6] * c2;
-  const Scalar t35 = t1 * t9;
-  const Scalar t36 = (t2 - (t35 + t35)) - t5;
-  const Scalar t37 = k[2] * qd[1];
-  const Scalar t38 = t37 + t37;
-  const Scalar t39 = k[2] * t36 - t9 * (k[5] * t36 + c2 * t38);
-  const Scalar t40 = s2 * t22;
-  const Scalar t41 = k[5] * t9;
-  const Scalar t42 = t40 * t41;
-  const Scalar t43 = Scalar(2) * k[2] * t40 - (t42 + t42);
-  const Scalar t44 = s2 * (Scalar(2) * qd[1] * t34 - (t39 - t43));
-  const Scalar t45 = t2 * k[2] * c2;
-  const Scalar t46 = t45 - Scalar(2) * t11 * t41;
-  const Scalar t47 = c2 * (Scalar(2) * k[1] * t19 - s2 * t46);
-  const Scalar t48 = s2 * t11;
-  const Scalar t49 = t48 + t48;
-  const Scalar t50 = t45 * t9 + t9 * t46;
-  const Scalar t51 = k[3] * t43;
-  const Scalar t52 = t12 - t13;
-  const Scalar t53 = t52 * t9 - t15;
-  const Scalar t54 = k[5] * t53 - k[2] * t52;
-  const Scalar t55 = s2 * t30 - c2 * (k[1] * t3 + t54);
-  const Scalar t56 = t45 * t22 - k[5] * (t26 + t49 * qd[0] * t9);
-  const Scalar t57 = t4 * t11;
-  const Scalar t58 = t9 * t21 - (t57 + t57);
-  const Scalar t59 = t9 * (k[5] * t58 - k[2] * t21) - k[2] * t58;
-  const Scalar t60 = s2 * ((t56 + t59) - k[6] * t21) + c2 * t18;
-  const Scalar t61 = (t9 * t54 - k[2] * t53) - k[7] * t52;
-  const Scalar t62 = qd[1] * t41;
-  const Scalar t63 = t38 - (t62 + t62);
-  const Scalar t64 = Scalar(2) * k[5] * t4;
-  const Scalar t65 = s2 * (t2 * t34 + (t63 + t50)) + c2 * (t64 - k[1] * s2 * t2);
-  const Scalar t66 = k[3] * t63;
-  const Scalar t67 = k[5] * k[3] * t14;
-  const Scalar t68 = (k[3] * t10 + t7 * t41) - k[2] * t7;
-  const Scalar t69 = k[5] * c2;
-  const Scalar t70 = k[3] * qd[1] * t69;
+  const Scalar t25 = t3 * t24;
+  const Scalar t26 = k[2] * s2 + t20;
+  const Scalar t27 = Scalar(2) * qd[1] * t0 + (t25 - t26);
+  const Scalar t28 = k[1] * t24;
+  const Scalar t29 = k[4] * t27 - t28;
+  const Scalar t30 = s2 * t19 - c2 * (k[6] * t22 + t29);
+  const Scalar t31 = (k[7] * t23 - k[8] * qdd[1]) - (k[1] * t27 - t3 * t29);
+  const Scalar t32 = qd[1] * c2;
+  const Scalar t33 = t32 * k[6] * s2;
+  const Scalar t34 = k[1] - k[4] * t3;
+  const Scalar t35 = (k[1] + t34) * t3;
+  const Scalar t36 = Scalar(2) * k[4] * t0;
+  const Scalar t37 = t3 * t36 - Scalar(2) * k[1] * t0;
+  const Scalar t38 = Scalar(2) * t32 * (k[5] + t35) - s2 * t37;
+  const Scalar t39 = k[7] + t35;
+  const Scalar t40 = t6 * s2 * t39;
+  const Scalar t41 = t34 * t1;
+  const Scalar t42 = k[3] * s2 * Scalar(2) * t41;
+  const Scalar t43 = t9 - t10;
+  const Scalar t44 = k[6] * t7 - (t34 * t43 + k[4] * t16);
+  const Scalar t45 = t6 * t41 - k[4] * t26;
+  const Scalar t46 = (t45 - t29) + (t39 * t22 - t37 * t5);
+  const Scalar t47 = Scalar(2) * qd[1] * t34;
+  const Scalar t48 = k[3] * t47;
+  const Scalar t49 = k[4] * t15;
+  const Scalar t50 = s2 * (t49 + (k[4] * t8 + (t13 - t12)));
+  const Scalar t51 = k[4] * c2;
+  const Scalar t52 = k[3] * qd[1] * t51;
   InverseDynamicsDerivatives<Scalar> result;
-  result.torque[0] = -t31;
-  result.torque[1] = t33;
-  result.torque[2] = -k[3] * t17;
+  result.torque[0] = t30 - k[0] * qdd[0];
+  result.torque[1] = t31;
+  result.torque[2] = k[3] * t18;
   result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_rate(2, 2) = Scalar(0);
-  result.by_rate(0, 0) = t47 - t44;
-  result.by_rate(1, 0) = k[7] * t49 + s2 * t50;
-  result.by_rate(2, 0) = t51;
-  result.by_position(0, 1) = -t55 - t60;
-  result.by_position(1, 1) = -t61;
-  result.by_position(2, 1) = k[3] * t56;
-  result.by_rate(0, 1) = -t65;
-  result.by_rate(1, 1) = t64 * t9 - Scalar(2) * k[2] * t4;
-  result.by_rate(2, 1) = t66;
-  result.by_position(0, 2) = s2 * (t67 + t68) - t25 * t69;
-  result.by_position(1, 2) = (t25 * t41 - t32) - k[2] * t25;
-  result.by_position(2, 2) = -k[3] * t67;
-  result.by_rate(0, 2) = -t51 - (t70 + t70);
-  result.by_rate(1, 2) = -t66;
+  result.by_rate(0, 0) = (t33 + t33) - s2 * t38;
+  result.by_rate(1, 0) = t40;
+  result.by_rate(2, 0) = t42;
+  result.by_position(0, 1) = c2 * (t44 + t19) - s2 * t46;
+  result.by_position(1, 1) = t39 * t43 - t34 * t16;
+  result.by_position(2, 1) = k[3] * t45;
+  result.by_rate(0, 1) = -t40 - (c2 * t36 + s2 * t47);
+  result.by_rate(1, 1) = t37;
+  result.by_rate(2, 1) = t48;
+  result.by_position(0, 2) = k[3] * (t50 - t24 * t51);
+  result.by_position(1, 2) = k[3] * ((t29 - t28) + k[4] * t25);
+  result.by_position(2, 2) = -k[3] * k[3] * t49;
+  result.by_rate(0, 2) = -t42 - (t52 + t52);
+  result.by_rate(1, 2) = -t48;
   return result;
 }
 
