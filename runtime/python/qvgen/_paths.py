@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import typing
 
-from ._tool import environment, tool
+from ._tool import tool
 
 # Options of `generate` that say how a description is read; the others say what is written.
 _READING = ("--base", "--tip", "--name", "--snap", "--xacro-arg")
@@ -59,7 +59,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         command += [] if free_range is None else [f"--range={float(free_range[0])!r}:{float(free_range[1])!r}"]
         command += _numbers("--time", time) + _numbers("--joint-speeds", joint_speeds)
         command += [] if free else ["-o", folder / "out.json"]
-        done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
+        done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
         if not (folder / "out.csv").exists():
             raise ValueError(done.stderr.strip().replace(str(folder) + "/", ""))
         rows = _read(folder / "out.csv")
