@@ -6,9 +6,9 @@ set -euo pipefail
 source=$1 work=$2 tool=$3 cc=$4
 here=$source/tests/linuxcnc
 mkdir -p "$work"
-for description in puma560 ns "$source/tests/motors/bevel_arm.toml" "$here/five_axes.toml"; do
-  robot=$(basename "$description" .toml) direction=0
-  [[ $robot != five_axes ]] || direction=-1
+declare -A direction=([five_axes]=-1) given=([gantry]=0,1,8)
+for description in puma560 ns "$source"/tests/motors/{bevel_arm,gantry}.toml "$here/five_axes.toml"; do
+  robot=$(basename "$description" .toml)
   "$tool" generate "$description" --only kinematics,inverse,linuxcnc --require linuxcnc --language c --output "$work" --quiet
   component=$work/c/qvgen_${robot}_kins.c
   warnings=(-std=c99 -Wall -Wextra -Wshadow -Wconversion -Werror -Wno-unused-function)
@@ -27,7 +27,7 @@ EOF
   "$cc" -std=c99 -O2 -I"$work/c" -c "$work/$robot.c" -o "$work/robot.o"
   objcopy --keep-global-symbol=test_dof_is --keep-global-symbol=test_matrix --keep-global-symbol=test_is_revolute \
     --redefine-sym "${robot}_is_revolute=test_is_revolute" "$work/robot.o"
-  "$cc" -std=c99 -O1 -I"$here/interface" "-DROBOT(name)=test_##name" -DROBOT_REVOLUTE=test_is_revolute "-DDIRECTION=$direction" \
+  "$cc" -std=c99 -O1 -I"$here/interface" "-DROBOT(name)=test_##name" -DROBOT_REVOLUTE=test_is_revolute "-DDIRECTION=${direction[$robot]-0}" "-DGIVEN=${given[$robot]--1}" \
     "$here/module_test.c" "$work/kins.o" "$work/robot.o" -lm -o "$work/${robot}_test"
   echo "$robot: $("$work/${robot}_test")"
 done

@@ -94,6 +94,18 @@ static void vertical_tool(double turn, int dof, int i) {
   }
 }
 
+/* GIVEN: joints that are coordinates u, v and w, "-1," if there are none. */
+static void given_joints_are_coordinates(const double joint[9], int i) {
+  const int given[] = {GIVEN};
+  EmcPose world = {{0, 0, 0}, 0, 0, 0, -1, -1, -1};
+  kinematicsForward(joint, &world, NULL, NULL);
+  const double found[3] = {world.u, world.v, world.w};
+  for (size_t k = 0; k < 3; ++k) {
+    const int is_given = k < sizeof given / sizeof *given && given[k] >= 0;
+    expect(found[k] == (is_given ? joint[given[k]] : -1), "a coordinate u, v or w", i);
+  }
+}
+
 static void tip_is(const double joint[9], const double wanted[3], int i) {
   EmcPose world = {{0, 0, 0}, 0, 0, 0, 0, 0, 0};
   kinematicsForward(joint, &world, NULL, NULL);
@@ -176,6 +188,7 @@ int main(void) {
     for (int k = 0; k < dof; ++k)
       joint[k] = between(20, 70) * (i % 2 ? 1 : -1) + (ROBOT_REVOLUTE[k] && i % 7 == 0 ? 360 : 0);
     forward_is_the_robots(joint, dof, i);
+    given_joints_are_coordinates(joint, i);
     back_to(joint, dof, i, &others);
     if (DIRECTION) vertical_tool(between(-180, 180), dof, i);
   }
