@@ -18,7 +18,7 @@ import linuxcnc
 MACHINE = json.loads(pathlib.Path("machine.json").read_text())
 NAME, DOF, DIRECTION = MACHINE["name"], len(MACHINE["home"]), MACHINE["direction"]
 ROBOT = ctypes.CDLL("./robot.so")
-LETTERS = "XYZABC"
+LETTERS = "XYZABCUVW"
 command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
 
 
@@ -47,7 +47,7 @@ def tip(joints, length):
 
 def poll():
     status.poll()
-    return list(status.joint_position[:DOF]), list(status.position[:6])
+    return list(status.joint_position[:DOF]), list(status.position[:9])
 
 
 def expect(holds, text):
@@ -66,6 +66,8 @@ def joints_lead_to(coordinates, length, text):
     joints, _ = poll()
     frame, wanted = matrix_of(joints), rotation_of(coordinates)
     expect(distance(tip(joints, length), coordinates) < 1e-5, f"{text}: the tip is elsewhere: {tip(joints, length)}, {coordinates}")
+    for i, value in zip(MACHINE["given"], coordinates[6:]):
+        expect(abs(joints[i] - value) < 1e-5, f"{text}: joint {i} is not the coordinate {value}")
     for row, turned in zip(frame, wanted):
         apart = distance(row[:3], turned) if DIRECTION == 0 else abs(DIRECTION * row[2] - turned[2])
         expect(apart < 1e-7, f"{text}: the tool points elsewhere: {frame}, {wanted}")
@@ -112,7 +114,7 @@ def moves(coordinates, length, text, count):
     generator, samples, before = random.Random(1), 0, poll()[0]
     for i in range(count):
         target = [each + generator.uniform(-40, 40) for each in coordinates[:3]]
-        target += [each + generator.uniform(-10, 10) * (LETTERS[3 + k] in MACHINE["coordinates"]) for k, each in enumerate(coordinates[3:6])]
+        target += [each + generator.uniform(-10, 10) * (letter in MACHINE["coordinates"]) for letter, each in zip(LETTERS[3:], coordinates[3:])]
         samples += move(target, length, f"{text} {i}")
         expect(distance(poll()[0], before) < 170, f"{text} {i}: the arm has turned over")
     move(coordinates, length, f"{text}, back")

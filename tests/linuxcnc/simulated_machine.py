@@ -9,8 +9,10 @@ import pathlib
 import sys
 
 MACHINES = {
-    "puma560": {"coordinates": "XYZABC", "home": [10, -60, 20, 0, -140, -170], "slides": [], "direction": 0},
-    "five_axes": {"coordinates": "XYZBC", "home": [100, 50, 400, 20, 0], "slides": [0, 1, 2], "direction": -1}}
+    "puma560": {"coordinates": "XYZABC", "home": [10, -60, 20, 0, -140, -170], "slides": [], "direction": 0, "given": []},
+    "gantry": {"coordinates": "XYZABCUVW", "home": [500, 100, 20, 40, 50, 0, 90, 0, 30], "slides": [0, 1], "direction": 0,
+               "given": [0, 1, 8]},
+    "five_axes": {"coordinates": "XYZBC", "home": [100, 50, 400, 20, 0], "slides": [0, 1, 2], "direction": -1, "given": []}}
 
 INI = """[EMC]
 VERSION = 1.1

@@ -16,7 +16,7 @@ unshare --mount true 2>/dev/null || { echo "skipped: no mounts of one's own here
 
 rm -rf "$work" && mkdir -p "$work/modules"
 cp "$modules"/*.so "$work/modules"
-for description in puma560 "$here/five_axes.toml"; do
+for description in puma560 "$source/tests/motors/gantry.toml" "$here/five_axes.toml"; do
   machine=$(basename "$description" .toml)
   folder=$work/$machine
   "$tool" generate "$description" --only kinematics,inverse,linuxcnc --require linuxcnc --language c --output "$folder" --quiet
