@@ -96,8 +96,7 @@ def on_the_line(begin, end, length, joints):
 
 def move(target, length, text):
     """Moves to coordinates of the tip, by a straight line, on which every sample lies."""
-    joints, _ = poll()
-    begin = [*tip(joints, length)]
+    begin = tip(poll()[0], length)
     command.mdi("G1 F6000 " + " ".join(f"{letter}{target[i]:.9f}" for i, letter in enumerate(LETTERS) if letter in MACHINE["coordinates"]))
     samples = 0
     while command.wait_complete(0.002) == -1:
@@ -123,7 +122,8 @@ def moves(coordinates, length, text, count):
     return samples
 
 
-def main():
+def start():
+    """Switches the machine on, and goes home with its tool pointing downwards."""
     do("reset", command.state, linuxcnc.STATE_ESTOP_RESET)
     do("on", command.state, linuxcnc.STATE_ON)
     do("mode", command.mode, linuxcnc.MODE_MANUAL)
@@ -133,34 +133,45 @@ def main():
         status.poll()
         if all(status.homed[:DOF]):
             break
-    joints, _ = poll()
-    expect(distance(joints, MACHINE["home"]) < 1e-9, "not at home")
+    expect(distance(poll()[0], MACHINE["home"]) < 1e-9, "not at home")
+
+
+def without_a_tool():
     in_joints(False)
     coordinates = poll()[1]
     joints_lead_to(coordinates, 0, "home")
     do("mode", command.mode, linuxcnc.MODE_MDI)
-    samples = moves(coordinates, 0, "without a tool", 6)
+    return moves(coordinates, 0, "without a tool", 6)
 
-    # A tool that is fixed to the arm: joints stay, the tip is further out.
-    joints, coordinates = poll()
+
+def with_a_tool_that_stays():
+    """Joints stay when its length is switched, the tip is further out."""
+    joints, before = poll()
     in_joints(True)
     subprocess.run(["halcmd", "setp", f"qvgen_{NAME}_kins.tool-length", "70"], check=True)
     in_joints(False)
-    expect(distance(poll()[0], joints) < 1e-4, "joints move when the tool's length is switched")
-    expect(abs(poll()[1][2] - coordinates[2] + 70) < 1e-4, "the tip stays when the tool's length is switched")
-    coordinates = poll()[1]
+    now, coordinates = poll()
+    expect(distance(now, joints) < 1e-4, "joints move when the tool's length is switched")
+    expect(abs(coordinates[2] - before[2] + 70) < 1e-4, "the tip stays when the tool's length is switched")
     joints_lead_to(coordinates, 70, "a longer tool")
     do("mode", command.mode, linuxcnc.MODE_MDI)
-    samples += moves(coordinates, 70, "a longer tool", 3)
+    return moves(coordinates, 70, "a longer tool", 3)
 
-    # A tool of the table: the program says where its tip is.
-    before = poll()[0]
+
+def with_a_tool_of_the_table():
+    """The program says where its tip is."""
+    joints, coordinates = poll()
     for line in ("T1 M6", "G43"):
         do(line, command.mdi, line)
     time.sleep(0.2)
-    expect(distance(poll()[0], before) < 1e-4, "joints move at G43, though the tool points downwards")
+    expect(distance(poll()[0], joints) < 1e-4, "joints move at G43, though the tool points downwards")
     coordinates[2] -= 50
-    samples += moves(coordinates, 120, "a tool of the table", 3)
+    return moves(coordinates, 120, "a tool of the table", 3)
+
+
+def main():
+    start()
+    samples = without_a_tool() + with_a_tool_that_stays() + with_a_tool_of_the_table()
     clocks = int(subprocess.run(["halcmd", "getp", "motion-controller.time"], check=True, capture_output=True, text=True).stdout)
     return f"{samples} samples on lines, {clocks} clocks of the motion controller in the last cycle\n{NAME}: passed\n"
 

@@ -40,18 +40,20 @@ if [[ -z $python ]]; then
   "$source/tests/package/debian_root.sh" make "$suite" "$root" "python$version-venv" g++ libeigen3-dev
   python=/usr/bin/python$version
   IFS=: read -ra folders <<<"${QVGEN_LIBRARIES:-$source}"
-  mkdir -p "$QVGEN_CACHE-$suite"  # another compiler
-  try=("$source/tests/package/debian_root.sh" in "$root" "$source" "$work" "$QVGEN_CACHE-$suite" "${folders[@]}" --
-       env "QVGEN_CACHE=$QVGEN_CACHE-$suite" "QVGEN_LIBRARIES=${QVGEN_LIBRARIES-}" PYTHONDONTWRITEBYTECODE=1 "${try[@]}")
+  cache=${QVGEN_CACHE:-$work-cache}-$suite  # of another compiler
+  mkdir -p "$cache"
+  try=("$source/tests/package/debian_root.sh" in "$root" "$source" "$work" "$cache" "${folders[@]}" --
+       env "QVGEN_CACHE=$cache" "QVGEN_LIBRARIES=${QVGEN_LIBRARIES-}" PYTHONDONTWRITEBYTECODE=1 "${try[@]}")
 fi
 
 rm -rf "$work" && mkdir -p "$work/wheels"
 export QVGEN_TOOL=$tool
 build="import sys; sys.path.insert(0, '$source/runtime/python/build'); import qvgen_wheel; qvgen_wheel.build_wheel('$work/wheels')"
-for each in python3 /usr/bin/python3; do
-  ! "$each" -c "$build" 2>/dev/null || break
+for packer in python3 /usr/bin/python3; do
+  ! "$packer" -c 'import pip' 2>/dev/null || break
 done
-download() { "$each" -m pip --quiet --disable-pip-version-check download --dest "$work/wheels" --only-binary :all: --python-version "$version" "$@"; }
+"$packer" -c "$build"
+download() { "$packer" -m pip --quiet --disable-pip-version-check download --dest "$work/wheels" --only-binary :all: --python-version "$version" "$@"; }
 download numpy pytest || skip "no NumPy and pytest of PyPI for CPython $version"
 for extra in scipy matplotlib casadi; do
   download "$extra" 2>/dev/null || echo "not tested with $extra, which PyPI does not give for CPython $version"
