@@ -74,7 +74,7 @@ def test_casadi(robot):
 def test_an_optimal_control_problem_of_casadi(arm):
     """From rest to rest in a second, with the least effort: the dynamics hold at every step."""
     cs = pytest.importorskip("casadi")
-    steps, duration = 20, 1.0
+    steps, duration = 10, 1.0
     dynamics = interop.casadi(arm, "forward_dynamics")
     problem = cs.Opti()
     q, qd, torque = problem.variable(2, steps + 1), problem.variable(2, steps + 1), problem.variable(2, steps)

@@ -134,12 +134,14 @@ def _licences_of(libraries):
         yield text, (pathlib.Path("/usr/share/common-licenses") / text).read_bytes()
 
 
-def _stripped(tool):
+def _edited(path, *command):
+    """Content of a file as a program leaves its copy, or as it is where that program is missing."""
+    if shutil.which(command[0]) is None:
+        return path.read_bytes()
     with tempfile.TemporaryDirectory() as work:
-        made = pathlib.Path(work) / "qvgen"
-        if shutil.which("strip") is None:
-            return tool.read_bytes()
-        subprocess.run(["strip", "-o", str(made), str(tool)], check=True)
+        made = pathlib.Path(work) / path.name
+        made.write_bytes(path.read_bytes())
+        subprocess.run([*command, str(made)], check=True)
         return made.read_bytes()
 
 
@@ -147,9 +149,10 @@ def _tool_files(tool):
     """(name in the wheel, content) of the tool, its libraries, its robots' descriptions and licences."""
     libraries = _libraries_of(tool)
     info = "{name}-{version}.dist-info".format(**_project())
-    yield "qvgen/_tree/bin/qvgen", _stripped(tool)
+    yield "qvgen/_tree/bin/qvgen", _edited(tool, "strip")
     for name, path in sorted(libraries.items()):
-        yield f"qvgen/_tree/lib/{name}", path.read_bytes()
+        # The tool finds them all by itself; auditwheel looks from each library for those that it needs.
+        yield f"qvgen/_tree/lib/{name}", _edited(path, "patchelf", "--force-rpath", "--set-rpath", "$ORIGIN")
     for path in _files(ROOT / "generator/robots"):
         yield f"qvgen/_tree/share/qvgen/robots/{path.name}", path.read_bytes()
     for name, content in dict(_licences_of(libraries)).items():

@@ -4,14 +4,14 @@
 import os
 import sys
 
-from ._tool import environment, own_tool
+from ._tool import own_tool
 
 
 def main():
     tool = own_tool()
     if tool is None:
         sys.exit("qvgen: this package was made without the tool: run ./qvgen generate in the source tree before pip install .")
-    os.execve(tool, ["qvgen", *sys.argv[1:]], environment())
+    os.execv(tool, ["qvgen", *sys.argv[1:]])
 
 
 if __name__ == "__main__":

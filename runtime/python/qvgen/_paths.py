@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import typing
 
-from ._tool import environment, tool
+from ._tool import tool
 
 # Options of `generate` that say how a description is read; the others say what is written.
 _READING = ("--base", "--tip", "--name", "--snap", "--xacro-arg")
@@ -65,7 +65,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
         by_description = isinstance(joint_torques, str)
         command += [f"--joint-torques={joint_torques}"] if by_description else _numbers("--joint-torques", joint_torques)
         command += [] if free else ["-o", folder / "out.json"]
-        done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
+        done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
         if not (folder / "out.csv").exists():
             raise ValueError(done.stderr.strip().replace(str(folder) + "/", ""))
         rows = _read(folder / "out.csv")

@@ -14,7 +14,7 @@ import numpy as np
 
 from ._library import BuildError, cache_folder
 from ._paths import _reading
-from ._tool import environment, tool
+from ._tool import tool
 
 _NEEDS = "plot needs matplotlib: pip install matplotlib"
 
@@ -108,7 +108,7 @@ def show(source, robot, *, browser=True):
     description, *options = source
     folder = pathlib.Path(cache_folder()) / "pages" / robot.__name__
     command = [tool(), "report", description, *_reading(options), "-o", folder]
-    done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
+    done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
     path = folder / f"{robot.__name__}.html"
     if done.returncode != 0 or not path.exists():
         raise BuildError(done.stderr or f"{robot.__name__} has no page")

@@ -9,7 +9,7 @@ import json
 from ._c_rows import c_rows
 from ._header import Header
 from ._library import HERE, ROOT, c_library, cache_folder, hash_of, run
-from ._tool import environment, tool
+from ._tool import tool
 
 GENERATED = ROOT / "generated"  # C++ of this source tree's robots
 
@@ -23,7 +23,7 @@ class Sources:
     def folder(self, *more):
         """Folder of what the tool makes; it makes nothing anew that is up to date."""
         folder = cache_folder() / ("generated-" + hash_of([self.description, *self.options, *more]))
-        run([tool(), "generate", self.description, "--output", folder, *self.options, *more], env=environment())
+        run([tool(), "generate", self.description, "--output", folder, *self.options, *more])
         return folder
 
     def c(self):

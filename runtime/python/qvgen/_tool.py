@@ -23,20 +23,11 @@ def tool():
     return found
 
 
-def environment():
-    """Environment of the tool: that of a package brings the libraries that it needs."""
-    libraries = ROOT / "lib"
-    if os.environ.get("QVGEN_TOOL") or not libraries.exists():
-        return dict(os.environ)
-    before = os.environ.get("LD_LIBRARY_PATH")
-    return {**os.environ, "LD_LIBRARY_PATH": os.pathsep.join([str(libraries), *([before] if before else [])])}
-
-
 def report_of(command, inputs, output, options):
     """Runs a command that measures an arm, `calibrate` or `identify`; returns its report."""
     written = [] if output is None else ["-o", output]
     done = subprocess.run([str(each) for each in [tool(), command, *inputs, *written, *options]],
-                          capture_output=True, text=True, env=environment())
+                          capture_output=True, text=True)
     if done.returncode != 0:
         raise BuildError(done.stderr)
     return done.stdout
