@@ -39,7 +39,7 @@ const std::vector<LanguageRow>& languages() {
       {Language::c, "c", "C99 in c/, which needs libm alone",
        "double, the bits of C++ with libm's sines; or float (--scalar float)", lacks_of_c()},
       {Language::rust, "rust", "a crate in rust/, no_std with the feature libm, without unsafe",
-       "f64, the bits of C", lacks_of_translations()},
+       "f64, the bits of C; f32 (feature f32), those of C in float", lacks_of_translations()},
       {Language::javascript, "javascript", "an ES module in javascript/, with types for TypeScript",
        "number, the bits of C but for the sines of the engine", lacks_of_translations()},
       {Language::octave, "octave",

@@ -19,6 +19,17 @@ import vectors
 
 HERE = pathlib.Path(__file__).resolve().parent
 SKIPPED = 77
+IN_FLOAT = 3  # the first robots of the list also have vectors in float
+
+
+def vectors_in(folder, output, robot, cc, scalar):
+    """Vectors of the robot's C in double or float, as JSON and as a program of Rust with its lines."""
+    header, made = vectors.make(output, robot, cc, folder, 6, scalar)
+    # These two take structs: the vectors called "representatives" go through rows by both.
+    assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
+    (folder / f"{robot}.rs").write_text(rust_runner.program(header, scalar))
+    (folder / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+    return header, made
 
 
 def make(tool, cc, folder, *robots):
@@ -30,14 +41,21 @@ def make(tool, cc, folder, *robots):
             only = ["--only", parts.replace("+", ",")] if parts else []
             subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
                             "--quiet"], check=True)
-        header, made = vectors.make(folder / "made", robot, cc, folder / "vectors", 6)
-        # These two take structs: the vectors called "representatives" go through rows by both.
-        assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
-        (folder / "vectors" / f"{robot}.rs").write_text(rust_runner.program(header))
-        (folder / "vectors" / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+        header, made = vectors_in(folder / "vectors", folder / "made", robot, cc, "double")
         (folder / "vectors" / f"{robot}.m").write_text(
             octave_runner.write(header, made, folder / "vectors/octave", (folder / "made/octave").resolve()))
         print(f"{robot}: {len(made['calls'])} vectors of {len(header.functions)} functions")
+    make_in_float(tool, cc, folder, robots[:IN_FLOAT])
+
+
+def make_in_float(tool, cc, folder, robots):
+    """Vectors of the C in float, which the crate's f32 has to give."""
+    for each in robots:
+        description, _, parts = each.partition(":")
+        only = ["--only", parts.replace("+", ",")] if parts else []
+        subprocess.run([tool, "generate", description, *only, "--language", "c", "--scalar", "float", "--output",
+                        folder / "made_in_float", "--quiet"], check=True)
+        vectors_in(folder / "vectors_in_float", folder / "made_in_float", pathlib.Path(description).stem, cc, "float")
 
 
 def robots_of(folder):
@@ -72,6 +90,7 @@ def npm(folder):
 PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs",
             "octave-cli": "octave", "mkoctfile": "octave-dev"}
 CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
+SINGLE = ["--cfg", 'feature="f32"']
 
 
 def rust(folder):
@@ -80,19 +99,26 @@ def rust(folder):
         vectors_of = folder / "vectors"
         library = vectors_of / f"libqvgen_{robot}.rlib"
         crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
-        subprocess.run([rustc, *CRATE, "--crate-name", f"qvgen_{robot}", "-O", "-D", "warnings", crate, "-o", library],
+        programs = [each for each in (vectors_of, folder / "vectors_in_float") if (each / f"{robot}.rs").exists()]
+        options = [*CRATE, *(SINGLE if len(programs) == 2 else [])]
+        subprocess.run([rustc, *options, "--crate-name", f"qvgen_{robot}", "-O", "-D", "warnings", crate, "-o", library],
                        check=True)
-        program = vectors_of / f"{robot}_in_rust"
-        subprocess.run([rustc, "--edition", "2021", "--extern", f"qvgen_{robot}={library}", vectors_of / f"{robot}.rs",
-                        "-o", program], check=True)
-        subprocess.run([program, vectors_of / f"{robot}.txt"], check=True)
+        for each in programs:
+            run_in_rust(rustc, robot, library, each)
+
+
+def run_in_rust(rustc, robot, library, vectors_of):
+    program = vectors_of / f"{robot}_in_rust"
+    subprocess.run([rustc, "--edition", "2021", "--extern", f"qvgen_{robot}={library}", vectors_of / f"{robot}.rs",
+                    "-o", program], check=True)
+    subprocess.run([program, vectors_of / f"{robot}.txt"], check=True)
 
 
 def clippy(folder):
     driver = needed("clippy-driver")
     for robot in robots_of(folder):
         crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
-        subprocess.run([driver, *CRATE, "--crate-name", f"qvgen_{robot}", "--emit", "metadata", "-D", "warnings",
+        subprocess.run([driver, *CRATE, *SINGLE, "--crate-name", f"qvgen_{robot}", "--emit", "metadata", "-D", "warnings",
                         "-D", "clippy::all", crate, "-o", folder / "vectors" / "checked.rmeta"], check=True)
 
 
@@ -171,18 +197,18 @@ def cargo(folder):
     program = needed("cargo")
     crate = folder / "made/rust/qvgen_ns_arm"
     target = ["--target-dir", str(folder / "cargo")]
-    done = subprocess.run([program, "build", *target, "--no-default-features", "--features", "libm"], cwd=crate,
+    done = subprocess.run([program, "build", *target, "--no-default-features", "--features", "libm,f32"], cwd=crate,
                           capture_output=True, text=True, timeout=300)
     if done.returncode != 0 and any(word in done.stderr for word in ("index", "network", "resolve host", "download")):
         print("skipped: cargo cannot reach crates.io, where the crate libm is")
         sys.exit(SKIPPED)
     if done.returncode != 0:
         sys.exit(done.stderr)
-    subprocess.run([program, "test", *target, "--quiet"], cwd=crate, check=True)
-    subprocess.run([program, "doc", *target, "--quiet", "--no-deps"], cwd=crate, check=True,
+    subprocess.run([program, "test", *target, "--quiet", "--features", "f32"], cwd=crate, check=True)
+    subprocess.run([program, "doc", *target, "--quiet", "--no-deps", "--features", "f32"], cwd=crate, check=True,
                    env={**os.environ, "RUSTDOCFLAGS": "-D warnings"})
     listed = subprocess.run([program, "package", "--list", "--allow-dirty"], cwd=crate, check=True, capture_output=True, text=True)
-    assert {"Cargo.toml", "README.md", "src/lib.rs", "src/metrics.rs"} <= set(listed.stdout.split()), listed.stdout
+    assert {"Cargo.toml", "README.md", "src/lib.rs", "src/metrics.rs", "src/f32.rs", "src/f32/math.rs"} <= set(listed.stdout.split()), listed.stdout
 
 
 if __name__ == "__main__":
