@@ -85,7 +85,7 @@ RobotOutput translated(RobotOutput output, Language language) {
     }
     const auto files = language == Language::rust     ? crate(output, unit, missing)
                        : language == Language::octave ? emit::octave::package(unit, c, missing)
-                                                      : emit::javascript::package(unit, missing);
+                                                      : emit::javascript::package(unit, c, missing);
     output.files.clear();
     for (const auto& [path, content] : files) output.files.push_back({folder + path, content});
   } catch (const emit::blocks::NotInSubset& error) {

@@ -2,7 +2,7 @@
 """Makes robots in a further language and runs their vectors in it.
 
     python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   robots in each language, and vectors by the C
-    python3 languages_test.py rust|clippy|cargo|javascript FOLDER     their vectors, or what the language's checker says
+    python3 languages_test.py rust|clippy|cargo|javascript|batches FOLDER    their vectors, or what the language's checker says
     python3 languages_test.py octave FOLDER                           their vectors, with the MEX file compiled
     python3 languages_test.py npm FOLDER                              packs, installs and imports a robot
     python3 languages_test.py readme FOLDER README                    the programs that the README shows
@@ -80,14 +80,15 @@ def npm(folder):
     archive, = project.glob("*.tgz")
     (project / "package.json").write_text('{"name": "user", "private": true, "type": "module"}')
     subprocess.run([program, "install", archive.name, *quiet], cwd=project, check=True)
-    there = {path.name for path in (project / "node_modules/qvgen_puma560").iterdir()}
-    assert there == {"README.md", "package.json", "qvgen_puma560.d.mts", "qvgen_puma560.mjs"}, there
+    there = {path.name for path in (project / "node_modules/qvgen_puma560").iterdir()} - {"qvgen_puma560_wasm.mjs"}
+    assert there == {"README.md", "package.json", "build.mjs", "source", "qvgen_puma560.d.mts", "qvgen_puma560.mjs",
+                     "qvgen_puma560_batch.d.mts", "qvgen_puma560_batch.mjs"}, there
     text = readme_block(package / "README.md", "import * as arm from")
     (project / "use.mjs").write_text(text + "if (found.count === 0) throw new Error('nothing found');\n")
     subprocess.run([needed("node"), "use.mjs"], cwd=project, check=True, stdout=subprocess.DEVNULL)
 
 
-PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs",
+PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs", "clang": "clang", "wasm-ld": "lld",
             "octave-cli": "octave", "mkoctfile": "octave-dev"}
 CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
 SINGLE = ["--cfg", 'feature="f32"']
@@ -127,6 +128,20 @@ def javascript(folder):
     for robot in robots_of(folder):
         module = folder / "made/javascript" / f"qvgen_{robot}/qvgen_{robot}.mjs"
         subprocess.run([node, HERE / "run_vectors.mjs", module, folder / "vectors" / f"{robot}.json"], check=True)
+
+
+def batches(folder):
+    """Compiles batches of robots for WebAssembly; before that their module says what is to be done."""
+    node = needed("node")
+    for program in ("clang", "wasm-ld"):
+        needed(program)
+    for robot in ("ns_arm", "puma560", "bevel_arm"):
+        package = folder / "made/javascript" / f"qvgen_{robot}"
+        (package / f"qvgen_{robot}_wasm.mjs").unlink(missing_ok=True)
+        early = subprocess.run([node, package / f"qvgen_{robot}_batch.mjs"], capture_output=True, text=True)
+        assert early.returncode != 0 and "run node build.mjs" in early.stderr, early.stderr
+        subprocess.run([node, package / "build.mjs"], check=True)
+        subprocess.run([node, HERE / "run_batches.mjs", package, robot, folder / "vectors" / f"{robot}.json"], check=True)
 
 
 def octave(folder):
@@ -217,7 +232,7 @@ if __name__ == "__main__":
         if what == "make":
             make(*arguments)
         else:
-            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "octave": octave, "npm": npm, "readme": readme}[what]
+            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "batches": batches, "octave": octave, "npm": npm, "readme": readme}[what]
             run(pathlib.Path(arguments[0]), *arguments[1:])
     except subprocess.CalledProcessError as error:
         sys.exit(f"failed: {error}")
