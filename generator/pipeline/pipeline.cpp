@@ -222,9 +222,11 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (comes_from_c(language)) output = with_c_files(std::move(output));
   if (is_translated(language)) return translated(std::move(output), language);
   if (comes_from_c(language)) {
+    const auto stack = stack_of(output, language == Language::c_in_float ? 4 : 8);
     for (OutputFile& file : output.files)
       file.content = language == Language::c_in_float ? emit::c::in_single_precision(file.content)
                                                       : emit::c::in_double_precision(file.content);
+    add_stack_lines(output, stack);
     return output;
   }
   add_headers_of_missing_parts(output);

@@ -2,7 +2,6 @@
 #include "pipeline/translation.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -11,23 +10,10 @@
 #include "emit/kernels/kernels.h"
 #include "emit/octave/package.h"
 #include "emit/rust/crate.h"
+#include "pipeline/c_files.h"
 
 namespace qvgen::pipeline {
 namespace {
-
-/// The robot's C files that are translated, headers first; each pair is a module. `numbers` puts numbers of
-/// one precision in place of those with marks.
-std::vector<emit::blocks::File> files_of(const RobotOutput& output,
-                                         const std::function<std::string(const std::string&)>& numbers) {
-  std::vector<emit::blocks::File> files;
-  for (const auto& [suffix, module] : {std::pair{"", ""}, {"_inverse", "inverse"}, {"_velocity", "velocity"}})
-    for (const bool is_header : {true, false}) {
-      const std::string name = "qvgen_" + output.robot + suffix + (is_header ? ".h" : ".c");
-      for (const OutputFile& each : output.files)
-        if (each.path == "c/" + name) files.push_back({name, module, is_header, numbers(each.content)});
-    }
-  return files;
-}
 
 std::string content(const std::vector<emit::blocks::File>& files, const std::string& module, bool is_header) {
   const auto found = std::find_if(files.begin(), files.end(), [&](const emit::blocks::File& each) {
@@ -41,7 +27,7 @@ std::optional<emit::blocks::Unit> unit_in_single(const RobotOutput& output,
                                                  std::vector<std::string>& missing) {
   std::vector<emit::blocks::File> files;
   try {
-    files = files_of(output, emit::c::with_single_numbers);
+    files = blocks_of(output, emit::c::with_single_numbers);
   } catch (const std::runtime_error& error) {
     missing.push_back(std::string("f32: ") + error.what());
     return std::nullopt;
@@ -76,7 +62,7 @@ RobotOutput translated(RobotOutput output, Language language) {
   const std::string mark = language == Language::octave ? "/+qvgen_" : "/qvgen_";
   const std::string folder = row_of(language).name + mark + output.robot + "/";
   try {
-    const std::vector<emit::blocks::File> c = files_of(output, emit::c::in_double_precision);
+    const std::vector<emit::blocks::File> c = blocks_of(output, emit::c::in_double_precision);
     const emit::blocks::Unit unit = emit::blocks::parse(output.robot, c);
     const std::vector<std::string> missing = lines_of_missing(output);
     if (is_of_devices(language)) {
