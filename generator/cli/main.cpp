@@ -136,8 +136,8 @@ int generate(CommandLine& line, const Installation& here) {
   check_parts_of(generate);
   if (line.scalar == "float" && line.language != "c")
     throw UsageError(
-        "--scalar float: it is for --language c; functions of C++ take float as they are, other languages "
-        "compute in double");
+        "--scalar float: it is for --language c; functions of C++ take float as they are, crates of Rust "
+        "have the feature f32, other languages compute in double");
   for (const LanguageRow& row : languages())
     if (row.name == line.language) generate.language = row.language;
   if (line.scalar == "float") generate.language = Language::c_in_float;

@@ -220,12 +220,15 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
   if (comes_from_c(language)) output = with_c_files(std::move(output));
-  if (comes_from_c(language))
+  if (is_translated(language)) return translated(std::move(output), language);
+  if (comes_from_c(language)) {
+    const auto stack = stack_of(output, language == Language::c_in_float ? 4 : 8);
     for (OutputFile& file : output.files)
       file.content = language == Language::c_in_float ? emit::c::in_single_precision(file.content)
                                                       : emit::c::in_double_precision(file.content);
-  if (is_translated(language)) output = translated(std::move(output), language);
-  if (comes_from_c(language)) return output;
+    add_stack_lines(output, stack);
+    return output;
+  }
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));
   return output;

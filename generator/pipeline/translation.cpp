@@ -2,32 +2,45 @@
 #include "pipeline/translation.h"
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
+#include "emit/c/single_precision.h"
 #include "emit/javascript/module.h"
 #include "emit/kernels/kernels.h"
 #include "emit/octave/package.h"
 #include "emit/rust/crate.h"
+#include "pipeline/c_files.h"
 
 namespace qvgen::pipeline {
 namespace {
-
-/// The robot's C files that are translated, headers first; each pair is a module.
-std::vector<emit::blocks::File> files_of(const RobotOutput& output) {
-  std::vector<emit::blocks::File> files;
-  for (const auto& [suffix, module] : {std::pair{"", ""}, {"_inverse", "inverse"}, {"_velocity", "velocity"}})
-    for (const bool is_header : {true, false}) {
-      const std::string name = "qvgen_" + output.robot + suffix + (is_header ? ".h" : ".c");
-      for (const OutputFile& each : output.files)
-        if (each.path == "c/" + name) files.push_back({name, module, is_header, each.content});
-    }
-  return files;
-}
 
 std::string content(const std::vector<emit::blocks::File>& files, const std::string& module, bool is_header) {
   const auto found = std::find_if(files.begin(), files.end(), [&](const emit::blocks::File& each) {
     return each.module == module && each.is_header == is_header;
   });
   return found == files.end() ? "" : found->text;
+}
+
+/// Returns the functions with numbers of float; none if a number has no place there, which a line says.
+std::optional<emit::blocks::Unit> unit_in_single(const RobotOutput& output,
+                                                 std::vector<std::string>& missing) {
+  std::vector<emit::blocks::File> files;
+  try {
+    files = blocks_of(output, emit::c::with_single_numbers);
+  } catch (const std::runtime_error& error) {
+    missing.push_back(std::string("f32: ") + error.what());
+    return std::nullopt;
+  }
+  return emit::blocks::parse(output.robot, files);
+}
+
+/// A crate in f64, and in f32 as far as the robot's numbers have a place there.
+std::vector<std::pair<std::string, std::string>> crate(const RobotOutput& output,
+                                                       const emit::blocks::Unit& unit,
+                                                       std::vector<std::string> missing) {
+  const std::optional<emit::blocks::Unit> in_single = unit_in_single(output, missing);
+  return emit::rust::crate(unit, in_single, missing);
 }
 
 /// Kernels of the robot's functions, and of all solutions of its poses.
@@ -49,16 +62,16 @@ RobotOutput translated(RobotOutput output, Language language) {
   const std::string mark = language == Language::octave ? "/+qvgen_" : "/qvgen_";
   const std::string folder = row_of(language).name + mark + output.robot + "/";
   try {
-    const std::vector<emit::blocks::File> c = files_of(output);
+    const std::vector<emit::blocks::File> c = blocks_of(output, emit::c::in_double_precision);
     const emit::blocks::Unit unit = emit::blocks::parse(output.robot, c);
     const std::vector<std::string> missing = lines_of_missing(output);
     if (is_of_devices(language)) {
       output.files = {kernels(row_of(language).name + "/qvgen_" + output.robot, language, unit, c, missing)};
       return output;
     }
-    const auto files = language == Language::rust     ? emit::rust::crate(unit, missing)
+    const auto files = language == Language::rust     ? crate(output, unit, missing)
                        : language == Language::octave ? emit::octave::package(unit, c, missing)
-                                                      : emit::javascript::package(unit, missing);
+                                                      : emit::javascript::package(unit, c, missing);
     output.files.clear();
     for (const auto& [path, content] : files) output.files.push_back({folder + path, content});
   } catch (const emit::blocks::NotInSubset& error) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <exception>
 
-#include "report/html.h"
+#include "emit/builtin_templates.h"
 #include "report/wasm_runtime.h"
 #include "toolchain/process.h"
 #include "toolchain/workshop.h"
@@ -62,8 +62,8 @@ Compiled to_webassembly(const std::map<std::string, std::string>& files) {
                                 "-Wl,--stack-first",
                                 "-o",
                                 "module.wasm"};
-  workshop.write("math.h", asset("wasm_math.h"));
-  workshop.write("string.h", asset("wasm_string.h"));
+  for (const char* header : {"math.h", "string.h"})
+    workshop.write(header, emit::builtin_templates().at(std::string("wasm/") + header));
   for (const auto& [name, content] : files) {
     workshop.write(name, content);
     if (name.ends_with(".c")) call.push_back(name);

@@ -56,6 +56,26 @@ TEST_F(CommandLine, RustAndJavaScriptHaveFoldersOfTheirOwn) {
   EXPECT_EQ(run(arguments + " --language javascript --only certified --require certified").code, 1);
 }
 
+TEST_F(CommandLine, ACrateWhoseNumbersAreBeyondFloatHasNoF32AndSaysWhy) {
+  const auto crate = [&](const std::string& length) {
+    std::string text = good_arm;
+    text.replace(text.rfind("\"l2\""), 4, "\"" + length + "\"");
+    const std::string made = out() + std::to_string(length.size());
+    EXPECT_EQ(
+        run("generate " + write("my_arm.toml", text) + " --only kinematics --language rust --output " + made)
+            .code,
+        0);
+    return fs::path(made) / "rust/qvgen_my_arm/src";
+  };
+  EXPECT_TRUE(fs::exists(crate("1/4") / "f32/math.rs"));
+  const fs::path source = crate("1e-60");
+  EXPECT_FALSE(fs::exists(source / "f32.rs"));
+  std::ifstream root(source / "lib.rs");
+  const std::string text{std::istreambuf_iterator<char>(root), {}};
+  EXPECT_NE(text.find("//! f32: the number 1e-60 has no place in float"), std::string::npos) << text;
+  EXPECT_EQ(text.find("pub mod f32"), std::string::npos);
+}
+
 TEST_F(CommandLine, TheTableOfLanguagesSaysWhatIsMissingAndWhy) {
   const ToolRun table = run("languages");
   EXPECT_EQ(table.code, 0);

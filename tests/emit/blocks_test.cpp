@@ -27,7 +27,7 @@ Unit unit_of_blocks(const std::string& text) { return parse("arm", {{"blocks.c",
 std::string error_of_blocks(const std::string& text) {
   try {
     const Unit unit = unit_of_blocks(text);
-    (void)emit::rust::crate(unit, {});
+    (void)emit::rust::crate(unit, std::nullopt, {});
   } catch (const NotInSubset& error) {
     return error.what();
   }
@@ -198,7 +198,7 @@ static void motors_by(const double* of, double* motors) {
   files.push_back({"blocks", "inverse", false, emit::c::in_double_precision(emit::c::inverse_blocks())});
   const Unit unit = parse("arm", files);
   EXPECT_GT(unit.functions.size(), 200U);
-  EXPECT_NO_THROW((void)emit::rust::crate(unit, {}));
+  EXPECT_NO_THROW((void)emit::rust::crate(unit, std::nullopt, {}));
 }
 
 /// Calls keep functions, names keep constants, types and enumerators; members and comments keep nothing.

@@ -33,6 +33,13 @@ TEST(SinglePrecision, LiteralsAreTheFloatOfTheirDouble) {
   EXPECT_EQ(in_single_precision("x-1.0-y"), "x-1.0f-y");
 }
 
+TEST(SinglePrecision, OtherLanguagesGetTheNumbersAlone) {
+  EXPECT_EQ(with_single_numbers("const double a = 6.283185307179586476925 * sqrt(x) + 2.;"),
+            "const double a = 6.2831855 * sqrt(x) + 2.0;");
+  EXPECT_EQ(with_single_numbers("digits(1e-7) range(1e50) 0x1.1a62633145c07p-54 DBL_EPSILON"),
+            "8.01e-04 1.61e+06 -4.371139e-08 DBL_EPSILON");
+}
+
 TEST(SinglePrecision, WhatIsNoCodeStays) {
   const char* const text = "// sin(double) 1.0\n/* 2.0 */ #include <math.h>\n\"1.0 double\"\n#if 1.0\n";
   EXPECT_EQ(in_single_precision(text), text);

@@ -9,12 +9,16 @@ import random
 
 LIBRARY = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "cbrt": 1, "atan2": 2}
 
+# Default tolerances of inverse kinematics.
+TOLERANCES = {"double": 1e-13, "float": 1.78e-6}
+
 HEAD = """#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 %(includes)s
+typedef %(real)s real;
 static int is_first;
 static void number(double x) {
   uint64_t bits;
@@ -23,7 +27,7 @@ static void number(double x) {
   is_first = 0;
 }
 static void whole(int x) { printf("%%s#%%d", is_first ? "" : ",", x); is_first = 0; }
-static void numbers(const double* x, int count) { for (int i = 0; i < count; ++i) number(x[i]); }
+static void numbers(const real* x, int count) { for (int i = 0; i < count; ++i) number(x[i]); }
 static void wholes(const int* x, int count) { for (int i = 0; i < count; ++i) whole(x[i]); }
 static void begin(const char* sign) { printf("%%s", sign); is_first = 1; }
 """
@@ -50,15 +54,19 @@ def shim():
 
 
 class Driver:
-    def __init__(self, header, rounds):
+    """`scalar` is double or float, whose numbers are printed as the doubles that they are."""
+
+    def __init__(self, header, rounds, scalar="double"):
         self.header = header
         self.rounds = rounds
+        self.scalar = scalar
+        self.tolerance = TOLERANCES[scalar]
         self.random = random.Random(20261125)
         self.dof = header.numbers[header.robot + "_dof"]
         self.lines = []
 
     def text(self, includes):
-        head = HEAD % {"includes": "\n".join(f'#include "{each}"' for each in includes)}
+        head = HEAD % {"real": self.scalar, "includes": "\n".join(f'#include "{each}"' for each in includes)}
         for name, kinds, result in self.header.functions:
             solves = kinds[-1][1] == "found"
             for round_ in range(self.rounds * (4 if solves else 1)):
@@ -91,14 +99,14 @@ class Driver:
     def number(self, name):
         if name == "gravity":
             return 9.81
-        return 1e-13 if name == "tolerance" else self.random.uniform(-1.5, 1.5)
+        return self.tolerance if name == "tolerance" else self.random.uniform(-1.5, 1.5)
 
     def call(self, name, kinds, result, round_):
         robot, add = self.header.robot, self.lines.append
         add("  {")
         pose = any(kind[1] in ("orientation", "position") for kind in kinds)
         if pose:
-            add(f"    const double at[] = {self.list(self.joints(round_))};")
+            add(f"    const real at[] = {self.list(self.joints(round_))};")
             add(f"    {robot}_pose pose;")
             add(f"    {robot}_forward_kinematics(at, &{robot}_default_geometry, &pose);")
             if round_ % 12 == 7:
@@ -115,7 +123,7 @@ class Driver:
             prints.append(printed)
         give = f"{robot}_{name}({', '.join(arguments)})"
         returns = result if result != "void" and kinds[-1][0] != "result" else ""
-        add(f"    {'const ' + returns + ' given = ' if returns else '(void)' if result != 'void' else ''}{give};")
+        add(f"    {'const ' + returns.replace('double', 'real') + ' given = ' if returns else '(void)' if result != 'void' else ''}{give};")
         add(f'    printf("%s", "{name}");')
         for printed in prints:
             add("    begin(\"|\"); " + printed)
@@ -128,14 +136,14 @@ class Driver:
         """Goes through at most fifty rows within limits that admit several turns."""
         robot, add = self.header.robot, self.lines.append
         add("  {")
-        add(f"    const double at[] = {self.list(self.joints(round_))};")
+        add(f"    const real at[] = {self.list(self.joints(round_))};")
         for name in ("lower", "upper"):
-            add(f"    const double {name}[] = {self.list(self.array(name, self.dof, round_))};")
+            add(f"    const real {name}[] = {self.list(self.array(name, self.dof, round_))};")
         add(f"    {robot}_pose pose;")
         add(f"    {robot}_forward_kinematics(at, &{robot}_default_geometry, &pose);")
         add(f"    {robot}_solutions found;")
         add(f"    {robot}_representatives all;")
-        add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, 1e-13, &found);")
+        add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, {self.tolerance}, &found);")
         add(f"    {robot}_start_representatives(&found, lower, upper, &all);")
         add('    printf("representatives"); begin("|"); numbers(pose.orientation, 4); begin("|"); numbers(pose.position, 3);')
         add(f'    begin("|"); numbers(lower, {self.dof}); begin("|"); numbers(upper, {self.dof}); begin("|=");')
@@ -147,9 +155,9 @@ class Driver:
         """Sorts all rows by time, by weighted distance and by the largest joint; the least one's branch behind each order."""
         robot, add = self.header.robot, self.lines.append
         add("  {")
-        add(f"    const double at[] = {self.list(self.joints(round_))}, seed[] = {self.list(self.joints(0))};")
+        add(f"    const real at[] = {self.list(self.joints(round_))}, seed[] = {self.list(self.joints(0))};")
         for name in ("speeds", "accelerations"):
-            add(f"    const double {name}[] = {self.list([self.random.uniform(0.3, 3) for _ in range(self.dof)])};")
+            add(f"    const real {name}[] = {self.list([self.random.uniform(0.3, 3) for _ in range(self.dof)])};")
         add(f"    {robot}_drives drives;")
         add("    memcpy(drives.speeds, speeds, sizeof speeds); memcpy(drives.accelerations, accelerations, sizeof speeds);")
         add(f"    {robot}_pose pose;")
@@ -160,7 +168,7 @@ class Driver:
         for metric, constants, within in (("fastest_time", "&drives", 0), ("weighted_distance", "speeds", 1),
                                           ("largest_joint", "accelerations", 0), ("largest_joint", "NULL", 0)):
             add(f"    {{ {robot}_solutions found;")
-            add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, 1e-13, &found);")
+            add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, {self.tolerance}, &found);")
             add(f"    const {robot}_solution* best = {robot}_best_by(&found, seed, {within}, {robot}_{metric}, {constants});")
             add("    whole(best == NULL ? -2 : best->branch);")
             add(f"    {robot}_sort_by(&found, {'NULL' if constants == 'NULL' else 'seed'}, {within}, {robot}_{metric}, {constants});")
@@ -178,25 +186,25 @@ class Driver:
         if kind == "usual":
             return "NULL", 'printf("none");'
         if kind == "number":
-            self.lines.append(f"    const double {name} = {float(self.number(own)).hex()};")
+            self.lines.append(f"    const real {name} = {float(self.number(own)).hex()};")
             return name, f"number({name});"
         if pose and own in ("orientation", "position"):
             return f"pose.{own}", f"numbers(pose.{own}, {size});"
         if kind == "optional" and round_ % 3 == (0 if own == "seed" else 1):
             return "NULL", 'printf("none");'
-        self.lines.append(f"    const double {name}[] = {self.list(self.array(own, size, round_))};")
+        self.lines.append(f"    const real {name}[] = {self.list(self.array(own, size, round_))};")
         return name, f"numbers({name}, {size});"
 
     def result_variable(self, size):
         if isinstance(size, list):
-            self.lines.append("    double result" + "".join(f"[{n}]" for n in size) + ";")
+            self.lines.append("    real result" + "".join(f"[{n}]" for n in size) + ";")
             return "result"
         self.lines.append(f"    {size} result;")
         return "&result"
 
     def printed_result(self, size):
         if isinstance(size, list):
-            return "numbers((const double*)result, %d);" % math.prod(size)
+            return "numbers((const real*)result, %d);" % math.prod(size)
         return self.printed_struct(size, "result")
 
     def printed_struct(self, struct, place):
@@ -204,7 +212,7 @@ class Driver:
         for type_, field, sizes in self.header.structs[struct]:
             own, count = f"{place}.{field}", math.prod(sizes)
             if type_ == "double":
-                text += f"numbers((const double*){own}, {count}); " if sizes else f"number({own}); "
+                text += f"numbers((const real*){own}, {count}); " if sizes else f"number({own}); "
             elif type_ == "int":
                 text += f"wholes((const int*){own}, {count}); " if sizes else f"whole({own}); "
             elif sizes:

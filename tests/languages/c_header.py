@@ -11,7 +11,7 @@ class Header:
 
     def __init__(self, robot, texts):
         self.robot = robot
-        text = "\n".join(texts)
+        text = re.sub(r"\bfloat\b", "double", "\n".join(texts))  # C in float has the same functions
         text = re.sub(r"//[^\n]*|/\*.*?\*/|^#[^\n]*", "", text, flags=re.S | re.M)
         self.numbers = {}
         for body in re.findall(r"\benum\s*\{([^}]*)\}", text):

@@ -2,7 +2,7 @@
 """Makes robots in a further language and runs their vectors in it.
 
     python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   robots in each language, and vectors by the C
-    python3 languages_test.py rust|clippy|cargo|javascript FOLDER     their vectors, or what the language's checker says
+    python3 languages_test.py rust|clippy|cargo|javascript|batches FOLDER    their vectors, or what the language's checker says
     python3 languages_test.py octave FOLDER                           their vectors, with the MEX file compiled
     python3 languages_test.py npm FOLDER                              packs, installs and imports a robot
     python3 languages_test.py readme FOLDER README                    the programs that the README shows
@@ -19,6 +19,17 @@ import vectors
 
 HERE = pathlib.Path(__file__).resolve().parent
 SKIPPED = 77
+IN_FLOAT = 3  # the first robots of the list also have vectors in float
+
+
+def vectors_in(folder, output, robot, cc, scalar):
+    """Vectors of the robot's C in double or float, as JSON and as a program of Rust with its lines."""
+    header, made = vectors.make(output, robot, cc, folder, 6, scalar)
+    # These two take structs: the vectors called "representatives" go through rows by both.
+    assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
+    (folder / f"{robot}.rs").write_text(rust_runner.program(header, scalar))
+    (folder / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+    return header, made
 
 
 def make(tool, cc, folder, *robots):
@@ -30,14 +41,21 @@ def make(tool, cc, folder, *robots):
             only = ["--only", parts.replace("+", ",")] if parts else []
             subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
                             "--quiet"], check=True)
-        header, made = vectors.make(folder / "made", robot, cc, folder / "vectors", 6)
-        # These two take structs: the vectors called "representatives" go through rows by both.
-        assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
-        (folder / "vectors" / f"{robot}.rs").write_text(rust_runner.program(header))
-        (folder / "vectors" / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+        header, made = vectors_in(folder / "vectors", folder / "made", robot, cc, "double")
         (folder / "vectors" / f"{robot}.m").write_text(
             octave_runner.write(header, made, folder / "vectors/octave", (folder / "made/octave").resolve()))
         print(f"{robot}: {len(made['calls'])} vectors of {len(header.functions)} functions")
+    make_in_float(tool, cc, folder, robots[:IN_FLOAT])
+
+
+def make_in_float(tool, cc, folder, robots):
+    """Vectors of the C in float, which the crate's f32 has to give."""
+    for each in robots:
+        description, _, parts = each.partition(":")
+        only = ["--only", parts.replace("+", ",")] if parts else []
+        subprocess.run([tool, "generate", description, *only, "--language", "c", "--scalar", "float", "--output",
+                        folder / "made_in_float", "--quiet"], check=True)
+        vectors_in(folder / "vectors_in_float", folder / "made_in_float", pathlib.Path(description).stem, cc, "float")
 
 
 def robots_of(folder):
@@ -62,16 +80,18 @@ def npm(folder):
     archive, = project.glob("*.tgz")
     (project / "package.json").write_text('{"name": "user", "private": true, "type": "module"}')
     subprocess.run([program, "install", archive.name, *quiet], cwd=project, check=True)
-    there = {path.name for path in (project / "node_modules/qvgen_puma560").iterdir()}
-    assert there == {"README.md", "package.json", "qvgen_puma560.d.mts", "qvgen_puma560.mjs"}, there
+    there = {path.name for path in (project / "node_modules/qvgen_puma560").iterdir()} - {"qvgen_puma560_wasm.mjs"}
+    assert there == {"README.md", "package.json", "build.mjs", "source", "qvgen_puma560.d.mts", "qvgen_puma560.mjs",
+                     "qvgen_puma560_batch.d.mts", "qvgen_puma560_batch.mjs"}, there
     text = readme_block(package / "README.md", "import * as arm from")
     (project / "use.mjs").write_text(text + "if (found.count === 0) throw new Error('nothing found');\n")
     subprocess.run([needed("node"), "use.mjs"], cwd=project, check=True, stdout=subprocess.DEVNULL)
 
 
-PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs",
+PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs", "clang": "clang", "wasm-ld": "lld",
             "octave-cli": "octave", "mkoctfile": "octave-dev"}
 CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
+SINGLE = ["--cfg", 'feature="f32"']
 
 
 def rust(folder):
@@ -80,19 +100,26 @@ def rust(folder):
         vectors_of = folder / "vectors"
         library = vectors_of / f"libqvgen_{robot}.rlib"
         crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
-        subprocess.run([rustc, *CRATE, "--crate-name", f"qvgen_{robot}", "-O", "-D", "warnings", crate, "-o", library],
+        programs = [each for each in (vectors_of, folder / "vectors_in_float") if (each / f"{robot}.rs").exists()]
+        options = [*CRATE, *(SINGLE if len(programs) == 2 else [])]
+        subprocess.run([rustc, *options, "--crate-name", f"qvgen_{robot}", "-O", "-D", "warnings", crate, "-o", library],
                        check=True)
-        program = vectors_of / f"{robot}_in_rust"
-        subprocess.run([rustc, "--edition", "2021", "--extern", f"qvgen_{robot}={library}", vectors_of / f"{robot}.rs",
-                        "-o", program], check=True)
-        subprocess.run([program, vectors_of / f"{robot}.txt"], check=True)
+        for each in programs:
+            run_in_rust(rustc, robot, library, each)
+
+
+def run_in_rust(rustc, robot, library, vectors_of):
+    program = vectors_of / f"{robot}_in_rust"
+    subprocess.run([rustc, "--edition", "2021", "--extern", f"qvgen_{robot}={library}", vectors_of / f"{robot}.rs",
+                    "-o", program], check=True)
+    subprocess.run([program, vectors_of / f"{robot}.txt"], check=True)
 
 
 def clippy(folder):
     driver = needed("clippy-driver")
     for robot in robots_of(folder):
         crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
-        subprocess.run([driver, *CRATE, "--crate-name", f"qvgen_{robot}", "--emit", "metadata", "-D", "warnings",
+        subprocess.run([driver, *CRATE, *SINGLE, "--crate-name", f"qvgen_{robot}", "--emit", "metadata", "-D", "warnings",
                         "-D", "clippy::all", crate, "-o", folder / "vectors" / "checked.rmeta"], check=True)
 
 
@@ -101,6 +128,20 @@ def javascript(folder):
     for robot in robots_of(folder):
         module = folder / "made/javascript" / f"qvgen_{robot}/qvgen_{robot}.mjs"
         subprocess.run([node, HERE / "run_vectors.mjs", module, folder / "vectors" / f"{robot}.json"], check=True)
+
+
+def batches(folder):
+    """Compiles batches of robots for WebAssembly; before that their module says what is to be done."""
+    node = needed("node")
+    for program in ("clang", "wasm-ld"):
+        needed(program)
+    for robot in ("ns_arm", "puma560", "bevel_arm"):
+        package = folder / "made/javascript" / f"qvgen_{robot}"
+        (package / f"qvgen_{robot}_wasm.mjs").unlink(missing_ok=True)
+        early = subprocess.run([node, package / f"qvgen_{robot}_batch.mjs"], capture_output=True, text=True)
+        assert early.returncode != 0 and "run node build.mjs" in early.stderr, early.stderr
+        subprocess.run([node, package / "build.mjs"], check=True)
+        subprocess.run([node, HERE / "run_batches.mjs", package, robot, folder / "vectors" / f"{robot}.json"], check=True)
 
 
 def octave(folder):
@@ -171,18 +212,18 @@ def cargo(folder):
     program = needed("cargo")
     crate = folder / "made/rust/qvgen_ns_arm"
     target = ["--target-dir", str(folder / "cargo")]
-    done = subprocess.run([program, "build", *target, "--no-default-features", "--features", "libm"], cwd=crate,
+    done = subprocess.run([program, "build", *target, "--no-default-features", "--features", "libm,f32"], cwd=crate,
                           capture_output=True, text=True, timeout=300)
     if done.returncode != 0 and any(word in done.stderr for word in ("index", "network", "resolve host", "download")):
         print("skipped: cargo cannot reach crates.io, where the crate libm is")
         sys.exit(SKIPPED)
     if done.returncode != 0:
         sys.exit(done.stderr)
-    subprocess.run([program, "test", *target, "--quiet"], cwd=crate, check=True)
-    subprocess.run([program, "doc", *target, "--quiet", "--no-deps"], cwd=crate, check=True,
+    subprocess.run([program, "test", *target, "--quiet", "--features", "f32"], cwd=crate, check=True)
+    subprocess.run([program, "doc", *target, "--quiet", "--no-deps", "--features", "f32"], cwd=crate, check=True,
                    env={**os.environ, "RUSTDOCFLAGS": "-D warnings"})
     listed = subprocess.run([program, "package", "--list", "--allow-dirty"], cwd=crate, check=True, capture_output=True, text=True)
-    assert {"Cargo.toml", "README.md", "src/lib.rs", "src/metrics.rs"} <= set(listed.stdout.split()), listed.stdout
+    assert {"Cargo.toml", "README.md", "src/lib.rs", "src/metrics.rs", "src/f32.rs", "src/f32/math.rs"} <= set(listed.stdout.split()), listed.stdout
 
 
 if __name__ == "__main__":
@@ -191,7 +232,7 @@ if __name__ == "__main__":
         if what == "make":
             make(*arguments)
         else:
-            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "octave": octave, "npm": npm, "readme": readme}[what]
+            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "batches": batches, "octave": octave, "npm": npm, "readme": readme}[what]
             run(pathlib.Path(arguments[0]), *arguments[1:])
     except subprocess.CalledProcessError as error:
         sys.exit(f"failed: {error}")

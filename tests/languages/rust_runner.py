@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Writes a Rust program that runs a robot's vectors, for its C header: one arm of a match for each function."""
+from c_driver import TOLERANCES
 
 
 REPRESENTATIVES = """        "representatives" => {
             let g = &robot::DEFAULT_GEOMETRY;
-            let found = robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, 1e-13);
+            let found = robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, %(tolerance)s);
             let (lower, upper) = (array::<%(dof)s>(a[2]), array::<%(dof)s>(a[3]));
             let mut all = robot::start_representatives(&found, Some(&lower), Some(&upper));
             let mut rows = 0;
@@ -20,8 +21,8 @@ METRICS = """        "metrics" => {
             let g = &robot::DEFAULT_GEOMETRY;
             let seed = array::<%(dof)s>(a[2]);
             let drives = Drives { speeds: array(a[3]), accelerations: array(a[4]) };
-            let all = || robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, 1e-13);
-            let metrics: [(bool, bool, Box<dyn Fn(&Joints) -> f64>); 4] = [
+            let all = || robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, %(tolerance)s);
+            let metrics: [(bool, bool, Box<dyn Fn(&Joints) -> Real>); 4] = [
                 (true, false, Box::new(|way| fastest_time(way, &drives))),
                 (true, true, Box::new(|way| weighted_distance(way, &drives.speeds))),
                 (true, false, Box::new(|way| largest_joint(way, Some(&drives.accelerations)))),
@@ -42,16 +43,17 @@ def type_name(name, robot):
 
 
 HEAD = """// Runs the vectors of a file, a line each: name|arguments|=result; numbers by their bits.
-use qvgen_%(robot)s as robot;
+use qvgen_%(robot)s%(module)s as robot;
+type Real = %(real)s;
 type Numbers = Vec<String>;
-fn bits(x: f64) -> String { if x.is_nan() { "nan".into() } else { format!("{:016x}", x.to_bits()) } }
-fn number(text: &str) -> f64 { f64::from_bits(u64::from_str_radix(text, 16).unwrap()) }
-fn array<const N: usize>(text: &str) -> [f64; N] {
+fn bits(x: Real) -> String { if x.is_nan() { "nan".into() } else { format!("{:016x}", (x as f64).to_bits()) } }
+fn number(text: &str) -> Real { f64::from_bits(u64::from_str_radix(text, 16).unwrap()) as Real }
+fn array<const N: usize>(text: &str) -> [Real; N] {
     let mut result = [0.0; N];
     for (to, from) in result.iter_mut().zip(text.split(',')) { *to = number(from); }
     result
 }
-fn option<const N: usize>(text: &str) -> Option<[f64; N]> { if text == "none" { None } else { Some(array(text)) } }
+fn option<const N: usize>(text: &str) -> Option<[Real; N]> { if text == "none" { None } else { Some(array(text)) } }
 fn call(name: &str, a: &[&str]) -> Numbers {
     let mut out = Numbers::new();
     match name {
@@ -103,8 +105,10 @@ def numbers(place, depth, type_):
     return loops + one.format("*" + names[-1]) + " }" * depth + " "
 
 
-def program(header):
-    robot, text = header.robot, HEAD % {"robot": header.robot}
+def program(header, scalar="double"):
+    """The program for f64, or for the module f32 of the crate."""
+    real, module = {"double": ("f64", ""), "float": ("f32", "::f32")}[scalar]
+    robot, text = header.robot, HEAD % {"robot": header.robot, "real": real, "module": module}
     for name, kinds, result in header.functions:
         arguments = []
         for i, (kind, own, size) in enumerate(kinds):
@@ -122,7 +126,7 @@ def program(header):
             out = pushed(header, last[2], "r")
         text += f'        "{name}" => {{ let r = robot::{name}({", ".join(arguments)}); {out}}}\n'
     if header.has_representatives():
-        text += (REPRESENTATIVES + METRICS) % {"dof": header.numbers[robot + "_dof"]}
+        text += (REPRESENTATIVES + METRICS) % {"dof": header.numbers[robot + "_dof"], "tolerance": TOLERANCES[scalar]}
     return text + TAIL
 
 

@@ -22,7 +22,7 @@ ALL_PARTS = (*PARTS, "_metrics")  # whose functions take functions: the vectors 
 
 
 def compiled(cc, folder, c_files, driver, robot):
-    """Runs the program and returns its lines, and what it called of the library."""
+    """Runs the program and returns its lines, and what it called of the library in double."""
     program = folder / f"{robot}_vectors"
     options = ["-std=c99", "-O1", "-ffp-contract=off", f"-I{c_files}", "-w"]
     objects, first = [], folder / "recorded.h"
@@ -41,7 +41,8 @@ def call_of(line):
             "result": result[1:].split(",") if len(result) > 1 else []}
 
 
-def make(output, robot, cc, folder, rounds):
+def make(output, robot, cc, folder, rounds, scalar="double"):
+    """Vectors of the robot's C in double or in float, whose numbers are written as the doubles that they are."""
     c_files = pathlib.Path(output) / "c"
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -49,7 +50,7 @@ def make(output, robot, cc, folder, rounds):
     header = Header(robot, [(c_files / name).read_text() for name in names])
     driver = folder / f"{robot}_vectors.c"
     others = [f"qvgen_{robot}_metrics.h"] if (c_files / f"qvgen_{robot}_metrics.h").exists() else []
-    driver.write_text(Driver(header, rounds).text(names + others))
+    driver.write_text(Driver(header, rounds, scalar).text(names + others))
     lines, library = compiled(cc, folder, c_files, driver, robot)
     calls = [call_of(line) for line in lines]
     numbers = {name: [i for i, kind in enumerate(kinds) if kind[0] == "number"] for name, kinds, _ in header.functions}

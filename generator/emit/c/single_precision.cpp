@@ -19,7 +19,7 @@ namespace {
 bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool begins_number(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-std::string in_float(const std::string& name) {
+std::string name_in_float(const std::string& name) {
   static const std::map<std::string, std::string> others{{"double", "float"},
                                                          {"DBL_EPSILON", "FLT_EPSILON"},
                                                          {"DBL_MAX", "FLT_MAX"},
@@ -44,11 +44,11 @@ std::size_t end_of_number(const std::string& code, std::size_t at) {
 
 /// Returns what pi/2 is beyond its float, in place of what it is beyond its double.
 std::string beyond_half_pi(const std::string& number) {
-  return number == "0x1.1a62633145c07p-54" ? "-4.371139e-08f" : "";
+  return number == "0x1.1a62633145c07p-54" ? "-4.371139e-08" : "";
 }
 
-std::string number_in_float(const std::string& number) {
-  if (const std::string beyond = beyond_half_pi(number); !beyond.empty()) return beyond;
+std::string number_in_float(const std::string& number, const std::string& suffix) {
+  if (const std::string beyond = beyond_half_pi(number); !beyond.empty()) return beyond + suffix;
   const bool hexadecimal = number.compare(0, 2, "0x") == 0;
   if (number.find_first_of(hexadecimal ? ".p" : ".eE") == std::string::npos) return number;
   const double exact = std::strtod(number.c_str(), nullptr);
@@ -57,7 +57,7 @@ std::string number_in_float(const std::string& number) {
     throw std::runtime_error("the number " + number + " has no place in float");
   const std::string text = fmt::format("{}", value);
   const bool whole = text.find_first_of(".e") == std::string::npos;
-  return text + (whole ? ".0f" : "f");
+  return text + (whole ? ".0" : "") + suffix;
 }
 
 /// A mark of a number, and which power of it float has.
@@ -77,11 +77,12 @@ const Mark* mark_at(const std::string& code, std::size_t at) {
 }
 
 /// A number with a mark as float has it. A power of two stays one, whose product is exact.
-std::string marked_in_float(const std::string& number, const Mark& mark) {
+std::string marked_in_float(const std::string& number, const Mark& mark, const std::string& suffix) {
   const double written = std::strtod(number.c_str(), nullptr);
   if (number.compare(0, 2, "0x") == 0)
-    return fmt::format("{}f", static_cast<float>(std::exp2(std::round(mark.power * std::log2(written)))));
-  return fmt::format("{:.2e}f", std::pow(written, mark.power));
+    return fmt::format("{}{}", static_cast<float>(std::exp2(std::round(mark.power * std::log2(written)))),
+                       suffix);
+  return fmt::format("{:.2e}{}", std::pow(written, mark.power), suffix);
 }
 
 /// The end of what is no code: a comment, a string, an include.
@@ -112,7 +113,11 @@ std::string in_double_precision(const std::string& code) {
   return result;
 }
 
-std::string in_single_precision(const std::string& code) {
+namespace {
+
+/// C in double with the numbers of float and this suffix; names become those of float where there is a
+/// suffix.
+std::string in_float(const std::string& code, const std::string& suffix) {
   std::string result;
   for (std::size_t at = 0; at < code.size();) {
     std::size_t end = end_of_text(code, at);
@@ -120,14 +125,15 @@ std::string in_single_precision(const std::string& code) {
     if (const Mark* mark = end == at ? mark_at(code, at) : nullptr; mark != nullptr) {
       const std::size_t begin = at + mark->name.size();
       end = code.find(')', at) + 1;
-      piece = marked_in_float(code.substr(begin, end - 1 - begin), *mark);
+      piece = marked_in_float(code.substr(begin, end - 1 - begin), *mark, suffix);
     } else if (end == at && (begins_number(code[at]) ||
                              (code[at] == '.' && at + 1 < code.size() && begins_number(code[at + 1])))) {
       end = end_of_number(code, at);
-      piece = number_in_float(code.substr(at, end - at));
+      piece = number_in_float(code.substr(at, end - at), suffix);
     } else if (end == at && in_a_name(code[at])) {
       while (end < code.size() && in_a_name(code[end])) ++end;
-      piece = in_float(code.substr(at, end - at));
+      piece = code.substr(at, end - at);
+      if (!suffix.empty()) piece = name_in_float(piece);
     } else if (end == at) {
       piece = code[end++];
     }
@@ -136,5 +142,10 @@ std::string in_single_precision(const std::string& code) {
   }
   return result;
 }
+
+}  // namespace
+
+std::string in_single_precision(const std::string& code) { return in_float(code, "f"); }
+std::string with_single_numbers(const std::string& code) { return in_float(code, ""); }
 
 }  // namespace qvgen::emit::c

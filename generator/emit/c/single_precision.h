@@ -19,4 +19,8 @@ std::string in_double_precision(const std::string& code);
 /// the order of operations is the same.
 std::string in_single_precision(const std::string& code);
 
+/// Returns C in double that says the numbers of C in float, by names of double: what other languages
+/// translate where their numbers are floats.
+std::string with_single_numbers(const std::string& code);
+
 }  // namespace qvgen::emit::c

@@ -4,7 +4,9 @@
 
 #include <set>
 
-#include "emit/blocks/documentation.h"
+#include "emit/columns/signature.h"
+#include "emit/javascript/batch.h"
+#include "emit/javascript/declarations.h"
 #include "emit/javascript/names.h"
 #include "emit/javascript/writer.h"
 #include "emit/render.h"
@@ -15,19 +17,6 @@ namespace {
 
 using blocks::Type;
 using blocks::TypeRef;
-
-Lines documented(const Lines& doc, const std::string& indent, const std::string& robot,
-                 bool returns_last = false) {
-  if (doc.empty()) return {};
-  Lines result{indent + "/**"};
-  for (std::string each : blocks::documentation(doc, {robot, "null", 110, returns_last})) {
-    for (std::size_t at = each.find("*/"); at != std::string::npos; at = each.find("*/"))
-      each.insert(at + 1, " ");
-    result.push_back(indent + " *" + (each.empty() ? "" : " ") + each);
-  }
-  result.push_back(indent + " */");
-  return result;
-}
 
 class ModuleWriter {
  public:
@@ -55,7 +44,7 @@ class ModuleWriter {
     for (const blocks::Constant& each : unit_.constants)
       if (each.is_public && !each.value.empty()) {
         add(documented(each.doc, "", unit_.robot));
-        add("export const " + constant_name(unit_, each) + ": " + result_text(each.type) + ";");
+        add("export const " + constant_name(unit_, each) + ": " + result_text(unit_, each.type) + ";");
       }
     for (const blocks::Function& each : unit_.functions)
       if (each.is_public && each.is_defined) declare(each);
@@ -111,33 +100,6 @@ class ModuleWriter {
         writer.constant_value(constant.value[0], constant.type) + ";");
   }
 
-  std::string result_text(const TypeRef& type) const {
-    switch (type->kind) {
-      case Type::Kind::structure:
-        return type_name(unit_, type->name);
-      case Type::Kind::array:
-        if (type->of->kind == Type::Kind::real) return "Float64Array";
-        if (type->of->kind == Type::Kind::integer) return "Int32Array";
-        return result_text(type->of) + "[]";
-      case Type::Kind::pointer:
-        return type->of->kind == Type::Kind::text ? "string" : result_text(type->of);
-      case Type::Kind::boolean:
-        return "boolean";
-      case Type::Kind::nothing:
-        return "void";
-      default:
-        return "number";
-    }
-  }
-
-  std::string parameter_text(const TypeRef& type, const blocks::Shape& shape) const {
-    if (type->kind != Type::Kind::pointer) return result_text(type);
-    std::string text =
-        shape.many && blocks::is_number(type->of) ? "ArrayLike<number>" : result_text(type->of);
-    if (shape.many && !blocks::is_number(type->of)) text = "ArrayLike<" + text + ">";
-    return shape.optional ? text + " | null" : text;
-  }
-
   void declare(const blocks::Structure& structure) {
     add("");
     add(documented(structure.doc, "", unit_.robot));
@@ -145,7 +107,7 @@ class ModuleWriter {
     for (const blocks::Field& each : structure.fields) {
       if (each.type->kind == Type::Kind::text) continue;
       add(documented(each.doc, "  ", unit_.robot));
-      add("  " + field_name(structure, each.name) + ": " + result_text(each.type) + ";");
+      add("  " + field_name(structure, each.name) + ": " + result_text(unit_, each.type) + ";");
     }
     add("}");
   }
@@ -153,20 +115,10 @@ class ModuleWriter {
   void declare(const blocks::Function& function) {
     add("");
     add(documented(function.doc, "", unit_.robot, blocks::returns_last(function)));
-    const std::vector<std::string> usual = FunctionWriter(context_, function).parameters();
-    std::string list;
-    // A parameter may be left out if all behind it may.
-    std::size_t first_optional = usual.size();
-    while (first_optional > 0 && usual[first_optional - 1].find(" = ") != std::string::npos) --first_optional;
-    for (std::size_t i = 0; i < usual.size(); ++i) {
-      const blocks::Field& each = function.parameters[i];
-      std::string type = parameter_text(each.type, shapes_.of(function.name)[i]);
-      if (i < first_optional && usual[i].find(" = ") != std::string::npos) type += " | undefined";
-      list += (i == 0 ? "" : ", ") + camel(each.name) + (i >= first_optional ? "?: " : ": ") + type;
-    }
     const bool gives_last = blocks::returns_last(function);
     const TypeRef result = gives_last ? blocks::pointee(function.parameters.back()) : function.result;
-    add("export function " + function_name(unit_, function) + "(" + list + "): " + result_text(result) + ";");
+    add("export function " + function_name(unit_, function) + "(" + parameters_text(context_, function) +
+        "): " + result_text(unit_, result) + ";");
   }
 
   const blocks::Unit& unit_;
@@ -178,8 +130,8 @@ class ModuleWriter {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> package(const blocks::Unit& unit,
-                                                         const std::vector<std::string>& missing) {
+Files package(const blocks::Unit& unit, const std::vector<blocks::File>& c,
+              const std::vector<std::string>& missing) {
   ModuleWriter writer(unit);
   const std::string name = "qvgen_" + unit.robot;
   const nlohmann::json values{
@@ -188,15 +140,18 @@ std::vector<std::pair<std::string, std::string>> package(const blocks::Unit& uni
   const auto filled = [&](const std::string& file, const std::string& body) {
     nlohmann::json all = values;
     all["body"] = body;
+    all["dof"] = unit.constant(unit.robot + "_dof")->value[0].text;
     all["has_inverse"] = blocks::solves_poses(unit);
     all["metrics"] =
         solves && !body.empty() ? render("javascript/metrics" + file.substr(file.find('.')), {}) : "";
     return render("javascript/" + file, all);
   };
-  return {{name + ".mjs", filled("module.mjs", writer.module())},
-          {name + ".d.mts", filled("module.d.mts", writer.declarations())},
-          {"README.md", filled("readme.md", "")},
-          {"package.json", filled("package.json", "")}};
+  Files files{{name + ".mjs", filled("module.mjs", writer.module())},
+              {name + ".d.mts", filled("module.d.mts", writer.declarations())},
+              {"README.md", filled("readme.md", "")},
+              {"package.json", filled("package.json", "")}};
+  for (auto& each : batch_files(unit, c)) files.push_back(std::move(each));
+  return files;
 }
 
 }  // namespace qvgen::emit::javascript

@@ -9,9 +9,11 @@
 
 namespace qvgen::emit::javascript {
 
-/// Files of a package, by their paths inside it: package.json, the module with JSDoc, and its declarations
-/// for TypeScript. `missing` are lines on what it has not.
-std::vector<std::pair<std::string, std::string>> package(const blocks::Unit& unit,
-                                                         const std::vector<std::string>& missing);
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// Files of a package, by their paths inside it: package.json, the module with JSDoc, its declarations for
+/// TypeScript, and batches of the robot's C. `missing` are lines on what it has not.
+Files package(const blocks::Unit& unit, const std::vector<blocks::File>& c,
+              const std::vector<std::string>& missing);
 
 }  // namespace qvgen::emit::javascript

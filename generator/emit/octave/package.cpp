@@ -135,7 +135,7 @@ std::vector<std::pair<std::string, std::string>> package(const blocks::Unit& uni
   std::vector<std::pair<std::string, std::string>> result;
   json contents = json::array();
   for (const blocks::Function& each : unit.functions) {
-    const auto signature = signature_of(unit, shapes, each);
+    const auto signature = columns::signature_of(unit, shapes, each);
     if (!signature) continue;
     signatures.push_back(*signature);
     result.emplace_back(signature->name + ".m", function_file(unit, *signature));

@@ -255,4 +255,11 @@ std::string constant_text(const blocks::Unit& unit, const Expression& e) {
   }
 }
 
+std::string value_name(const std::string& name) {
+  static const std::set<std::string> words{"end",       "function", "global", "persistent",
+                                           "otherwise", "until",    "catch",  "try",
+                                           "endif",     "endfor",   "parfor", "classdef"};
+  return words.count(name) > 0 || name[0] == '_' ? "v_" + name : name;
+}
+
 }  // namespace qvgen::emit::octave

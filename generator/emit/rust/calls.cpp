@@ -156,7 +156,7 @@ std::string FunctionWriter::prepared(const Expression& each, const TypeRef& want
     return shape.optional ? "Some(&" + copy + ")" : "&" + copy;
   }
   text.before +=
-      "let " + copy + ": " + type_text(wanted, robot_) + " = " + argument(each, wanted, shape) + "; ";
+      "let " + copy + ": " + type_text(wanted, context_) + " = " + argument(each, wanted, shape) + "; ";
   return copy;
 }
 
@@ -172,8 +172,8 @@ std::string FunctionWriter::call(const Expression& e) {
     list += (i == 0 ? "" : ", ") + prepared(e.operands[i], callee->parameters[i].type, shapes[i], changes,
                                             changes.copies_back[i], text);
   const bool is_elsewhere = callee->module != function_.module;
-  const std::string result =
-      (is_elsewhere ? "crate::" : "") + function_name(context_.unit, *callee) + "(" + list + ")";
+  const std::string result = (is_elsewhere ? context_.scalar.root + "::" : "") +
+                             function_name(context_.unit, *callee) + "(" + list + ")";
   if (!text.behind.empty() && callee->result->kind == Type::Kind::nothing)
     return "{ " + text.before + result + "; " + text.behind + "}";
   if (!text.behind.empty())

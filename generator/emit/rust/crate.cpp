@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "emit/blocks/documentation.h"
 #include "emit/render.h"
 #include "emit/rust/names.h"
@@ -29,8 +31,8 @@ Lines documented(const Lines& doc, const std::string& indent, const std::string&
 
 class CrateWriter {
  public:
-  explicit CrateWriter(const blocks::Unit& unit)
-      : unit_(unit), shapes_(unit), context_{unit, shapes_}, used_(blocks::used_names(unit)) {}
+  CrateWriter(const blocks::Unit& unit, const Scalar& scalar)
+      : unit_(unit), shapes_(unit), context_{unit, shapes_, scalar}, used_(blocks::used_names(unit)) {}
 
   std::string module(const std::string& name) {
     lines_.clear();
@@ -50,7 +52,7 @@ class CrateWriter {
   void add(const Lines& more) { lines_.insert(lines_.end(), more.begin(), more.end()); }
   void add(const std::string& line) { lines_.push_back(line); }
 
-  /// Names of the crate's root that a module reads.
+  /// Names of the root that a module reads.
   void imports(const std::string& module) {
     if (module.empty()) return;
     Lines names;
@@ -64,7 +66,7 @@ class CrateWriter {
     std::sort(names.begin(), names.end());
     std::string list;
     for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    if (!list.empty()) add("use crate::{" + list + "};");
+    if (!list.empty()) add("use " + context_.scalar.root + "::{" + list + "};");
   }
 
   struct Uses {
@@ -103,7 +105,7 @@ class CrateWriter {
     for (const blocks::Field& each : structure.fields) {
       if (each.type->kind == Type::Kind::text) continue;
       add(documented(each.doc, "    ", unit_.robot));
-      add("    " + mark + value_name(each.name) + ": " + type_text(each.type, unit_.robot) + ",");
+      add("    " + mark + value_name(each.name) + ": " + type_text(each.type, context_) + ",");
       zero += (zero.empty() ? " " : ", ") + value_name(each.name) + ": " + zero_text(each.type, unit_.robot);
     }
     add("}");
@@ -123,8 +125,8 @@ class CrateWriter {
     add(documented(constant.doc, "", unit_.robot));
     const bool is_array = constant.type->kind == Type::Kind::array;
     add(mark + (is_array ? "static " : "const ") + constant_name(constant.name, unit_.robot) + ": " +
-        type_text(constant.type, unit_.robot) + " = " +
-        writer.constant_value(constant.value[0], constant.type) + ";");
+        type_text(constant.type, context_) + " = " + writer.constant_value(constant.value[0], constant.type) +
+        ";");
   }
 
   void add(const blocks::Function& function) {
@@ -146,43 +148,76 @@ json lines_of_text(const std::vector<std::string>& lines) {
   return result;
 }
 
-}  // namespace
+/// Public names of a module, as its root gives them away.
+std::string names_of(const blocks::Unit& unit, const std::string& module) {
+  Lines names;
+  for (const auto& [name, structure] : unit.structures)
+    if (structure.module == module && structure.is_public) names.push_back(type_name(name, unit.robot));
+  for (const auto& constant : unit.constants)
+    if (constant.module == module && constant.is_public)
+      names.push_back(constant_name(constant.name, unit.robot));
+  for (const auto& function : unit.functions)
+    if (function.module == module && function.is_public && function.is_defined)
+      names.push_back(value_name(function.name, unit.robot));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
-std::vector<std::pair<std::string, std::string>> crate(const blocks::Unit& unit,
-                                                       const std::vector<std::string>& missing) {
-  CrateWriter writer(unit);
-  json modules = json::array();
-  std::vector<std::pair<std::string, std::string>> files;
+json values_of(const blocks::Unit& unit, const std::vector<std::string>& missing) {
+  return {{"name", unit.robot},
+          {"has_inverse", blocks::solves_poses(unit)},
+          {"has_metrics", blocks::has_module(unit, "inverse")},
+          {"has_missing", !missing.empty()},
+          {"missing", lines_of_text(missing)}};
+}
+
+/// The type, names of its functions in libm, its sign and the least number behind which all are whole.
+json values_of(const Scalar& scalar) {
+  const bool is_single = scalar.type == "f32";
+  return {{"real", scalar.type},
+          {"root", scalar.root},
+          {"f", is_single ? "f" : ""},
+          {"sign", is_single ? "u32 = 1 << 31" : "u64 = 1 << 63"},
+          {"whole", is_single ? "8388608.0" : "4503599627370496.0"}};
+}
+
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// Sources of the functions in one precision: what its root holds, and in `files` its modules.
+json add_sources(const blocks::Unit& unit, const Scalar& scalar, const std::string& folder, json values,
+                 Files& files) {
+  CrateWriter writer(unit, scalar);
+  values.update(values_of(scalar));
+  values["modules"] = json::array();
+  const auto add = [&](const std::string& name, const std::string& shape) {
+    files.push_back({folder + name + ".rs", render("rust/" + shape, values)});
+  };
   for (const std::string& each : unit.modules) {
     if (each.empty()) continue;
-    json names = json::array();
-    for (const auto& [name, structure] : unit.structures)
-      if (structure.module == each && structure.is_public) names.push_back(type_name(name, unit.robot));
-    for (const auto& constant : unit.constants)
-      if (constant.module == each && constant.is_public)
-        names.push_back(constant_name(constant.name, unit.robot));
-    for (const auto& function : unit.functions)
-      if (function.module == each && function.is_public && function.is_defined)
-        names.push_back(value_name(function.name, unit.robot));
-    std::string list;
-    for (const json& name : names) list += (list.empty() ? "" : ", ") + name.get<std::string>();
-    modules.push_back({{"module", each}, {"names", list}});
-    files.push_back({"src/" + each + ".rs",
-                     render("rust/module.rs", {{"name", unit.robot}, {"body", writer.module(each)}})});
+    values["modules"].push_back({{"module", each}, {"names", names_of(unit, each)}});
+    values["body"] = writer.module(each);
+    add(each, "module.rs");
   }
-  const bool solves = blocks::has_module(unit, "inverse");
-  const json values{{"name", unit.robot},
-                    {"has_inverse", blocks::solves_poses(unit)},
-                    {"has_metrics", solves},
-                    {"body", writer.module("")},
-                    {"modules", modules},
-                    {"has_missing", !missing.empty()},
-                    {"missing", lines_of_text(missing)}};
-  files.push_back({"src/lib.rs", render("rust/lib.rs", values)});
-  files.push_back({"src/math.rs", render("rust/math.rs", {{"name", unit.robot}})});
-  if (solves) files.push_back({"src/metrics.rs", render("rust/metrics.rs", {{"name", unit.robot}})});
+  add("math", "math.rs");
+  if (blocks::has_module(unit, "inverse")) add("metrics", "metrics.rs");
+  values["body"] = writer.module("");
+  return values;
+}
+
+}  // namespace
+
+Files crate(const blocks::Unit& unit, const std::optional<blocks::Unit>& in_single,
+            const std::vector<std::string>& missing) {
+  Files files;
+  json values = values_of(unit, missing);
+  values["has_single"] = in_single.has_value();
+  const json root = add_sources(unit, {}, "src/", values, files);
+  files.push_back({"src/lib.rs", render("rust/lib.rs", root)});
+  if (in_single) {
+    const json single = add_sources(*in_single, {"f32", "crate::f32", false}, "src/f32/", values, files);
+    files.push_back({"src/f32.rs", render("rust/f32.rs", single)});
+  }
   files.push_back({"README.md", render("rust/readme.md", values)});
-  files.push_back({"Cargo.toml", render("rust/cargo.toml", {{"name", unit.robot}})});
+  files.push_back({"Cargo.toml", render("rust/cargo.toml", values)});
   return files;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values and places. Conversions that C makes by itself are written out: f64::from(i), b != 0, i32::from(b).
+// Values and places. Conversions that C makes by itself are written out: f64::from(i), i as f32, b != 0,
+// i32::from(b).
 #include <algorithm>
 #include <map>
 
@@ -32,8 +33,6 @@ bool is_zero(const Expression& e) {
 
 std::string basic_name(Type::Kind kind) {
   switch (kind) {
-    case Type::Kind::real:
-      return "f64";
     case Type::Kind::integer:
       return "i32";
     case Type::Kind::natural:
@@ -49,12 +48,13 @@ std::string basic_name(Type::Kind kind) {
 
 }  // namespace
 
-std::string type_text(const TypeRef& type, const std::string& robot) {
-  if (type->kind == Type::Kind::structure) return type_name(type->name, robot);
+std::string type_text(const TypeRef& type, const Context& context) {
+  if (type->kind == Type::Kind::real) return context.scalar.type;
+  if (type->kind == Type::Kind::structure) return type_name(type->name, context.unit.robot);
   if (type->kind == Type::Kind::array)
-    return "[" + type_text(type->of, robot) + "; " + std::to_string(type->size) + "]";
+    return "[" + type_text(type->of, context) + "; " + std::to_string(type->size) + "]";
   if (type->kind == Type::Kind::pointer)
-    return type->of->kind == Type::Kind::text ? "&str" : type_text(type->of, robot);
+    return type->of->kind == Type::Kind::text ? "&str" : type_text(type->of, context);
   return basic_name(type->kind);
 }
 
@@ -75,10 +75,10 @@ std::string zero_text(const TypeRef& type, const std::string& robot) {
   }
 }
 
-std::string parameter_text(const TypeRef& type, const blocks::Shape& shape, const std::string& robot) {
-  if (type->kind != Type::Kind::pointer) return type_text(type, robot);
+std::string parameter_text(const TypeRef& type, const blocks::Shape& shape, const Context& context) {
+  if (type->kind != Type::Kind::pointer) return type_text(type, context);
   std::string text = shape.changed ? "&mut " : "&";
-  const std::string element = type_text(type->of, robot);
+  const std::string element = type_text(type->of, context);
   if (!shape.many)
     text += element;
   else
@@ -144,9 +144,10 @@ std::string FunctionWriter::place(const Expression& e) {
 
 FunctionWriter::Text FunctionWriter::name(const Expression& e) {
   static const std::map<std::string, std::string> numbers{
-      {"DBL_EPSILON", "f64::EPSILON"}, {"DBL_MAX", "f64::MAX"},       {"DBL_MIN", "f64::MIN_POSITIVE"},
-      {"HUGE_VAL", "f64::INFINITY"},   {"INFINITY", "f64::INFINITY"}, {"NAN", "f64::NAN"}};
-  if (const auto known = numbers.find(e.text); known != numbers.end()) return {known->second, atom};
+      {"DBL_EPSILON", "EPSILON"}, {"DBL_MAX", "MAX"},       {"DBL_MIN", "MIN_POSITIVE"},
+      {"HUGE_VAL", "INFINITY"},   {"INFINITY", "INFINITY"}, {"NAN", "NAN"}};
+  if (const auto known = numbers.find(e.text); known != numbers.end())
+    return {context_.scalar.type + "::" + known->second, atom};
   if (context_.unit.constant_of(e) != nullptr) return {constant_name(e.text, robot_), atom};
   return {value_name(e.text), atom};
 }
@@ -173,11 +174,13 @@ std::string FunctionWriter::as(const Expression& e, const TypeRef& wanted) {
   if (to == from || !blocks::is_number(wanted)) return value(e).text;
   const std::string text = value(e).text;
   if (to == Type::Kind::boolean) return within(e, 5, e.type) + " != " + zero_text(e.type, robot_);
-  if (to == Type::Kind::real && from == Type::Kind::boolean) return "f64::from(u8::from(" + text + "))";
-  if (to == Type::Kind::real) return "f64::from(" + text + ")";
+  if (to == Type::Kind::real && from == Type::Kind::boolean)
+    return context_.scalar.type + "::from(u8::from(" + text + "))";
+  if (to == Type::Kind::real && context_.scalar.holds_integers)
+    return context_.scalar.type + "::from(" + text + ")";
   if (from == Type::Kind::boolean)
     return (to == Type::Kind::natural ? "u32" : "i32") + ("::from(" + text + ")");
-  return within(e, cast_level, e.type) + " as " + type_text(wanted, robot_);
+  return within(e, cast_level, e.type) + " as " + type_text(wanted, context_);
 }
 
 /// Value of the wanted type, in brackets where it binds less than `level`.
@@ -185,7 +188,8 @@ std::string FunctionWriter::within(const Expression& e, int level, const TypeRef
   if (wanted->kind != e.type->kind && blocks::is_number(wanted)) {
     const std::string text = as(e, wanted);
     const bool is_literal = e.kind == Kind::integer;
-    const bool is_atom = is_literal || text.rfind("f64::from(", 0) == 0 || text.rfind("i32::from(", 0) == 0;
+    const bool is_atom = is_literal || text.rfind(context_.scalar.type + "::from(", 0) == 0 ||
+                         text.rfind("i32::from(", 0) == 0;
     return is_atom ? text : "(" + text + ")";
   }
   const Text text = value(e);
@@ -271,7 +275,7 @@ std::string FunctionWriter::structure_list(const Expression& e) {
     const std::string field = value_name(fields[i].name), own = as(*of_field, fields[i].type);
     text += (text.empty() ? "" : ", ") + (field == own ? field : field + ": " + own);
   }
-  const std::string type = type_text(e.type, robot_);
+  const std::string type = type_text(e.type, context_);
   if (text.empty()) return type + "::ZERO";
   return type + " { " + text + (given == fields.size() ? " }" : ", .." + type + "::ZERO }");
 }

@@ -44,13 +44,13 @@ std::string FunctionWriter::head() {
     const blocks::Field& each = function_.parameters[i];
     const bool is_changed = each.type->kind != Type::Kind::pointer && changed_.count(each.name) > 0;
     list += (list.empty() ? "" : ", ") + std::string(is_changed ? "mut " : "") + value_name(each.name) +
-            ": " + parameter_text(each.type, shapes[i], robot_);
+            ": " + parameter_text(each.type, shapes[i], context_);
   }
   const blocks::TypeRef result =
       returns_last_ ? blocks::pointee(function_.parameters.back()) : function_.result;
   const bool gives = result->kind != Type::Kind::nothing;
   return std::string(function_.is_public ? "pub " : "") + "fn " + function_name(context_.unit, function_) +
-         "(" + list + ")" + (gives ? " -> " + type_text(result, robot_) : "") + " {";
+         "(" + list + ")" + (gives ? " -> " + type_text(result, context_) : "") + " {";
 }
 
 Lines FunctionWriter::lines() {

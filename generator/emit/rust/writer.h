@@ -15,17 +15,25 @@ namespace qvgen::emit::rust {
 
 using Lines = std::vector<std::string>;
 
-/// Unit and shapes, which all functions of a robot's crate share.
+/// The numbers of a module of the crate, and where its functions are.
+struct Scalar {
+  std::string type = "f64";    ///< f64 or f32
+  std::string root = "crate";  ///< "crate", or the module of the crate
+  bool holds_integers = true;  ///< true if every i32 is such a number, so that Rust converts it by `from`
+};
+
+/// Unit, shapes and numbers, which all functions of a robot share in one precision.
 struct Context {
   const blocks::Unit& unit;
   const blocks::Shapes& shapes;
+  Scalar scalar = {};
 };
 
-std::string type_text(const blocks::TypeRef& type, const std::string& robot);
+std::string type_text(const blocks::TypeRef& type, const Context& context);
 /// A value of a type all of whose numbers are zero.
 std::string zero_text(const blocks::TypeRef& type, const std::string& robot);
 /// Type of a parameter: a reference, a slice, an option, or a value.
-std::string parameter_text(const blocks::TypeRef& type, const blocks::Shape& shape, const std::string& robot);
+std::string parameter_text(const blocks::TypeRef& type, const blocks::Shape& shape, const Context& context);
 
 /// Its name in the crate; one of the shared functions makes room for a public one of its name.
 std::string function_name(const blocks::Unit& unit, const blocks::Function& function);

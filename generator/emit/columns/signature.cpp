@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "emit/octave/signature.h"
+#include "emit/columns/signature.h"
 
 #include <algorithm>
-#include <set>
 
 #include "emit/blocks/types.h"
 
-namespace qvgen::emit::octave {
+namespace qvgen::emit::columns {
 namespace {
 
 using blocks::Type;
@@ -60,7 +59,7 @@ class SignatureReader {
     result_.inputs.push_back(input);
   }
 
-  /// Constant that a number has by default, in C; Octave's gravity is that of the other languages.
+  /// Constant that a number has by default, in C; gravity is that of the other languages.
   std::string usual_number(const std::string& name) const {
     if (name == "gravity") return "standard_gravity";
     return name == "tolerance" ? constant("default_tolerance") : "";
@@ -158,11 +157,4 @@ std::optional<Signature> signature_of(const blocks::Unit& unit, const blocks::Sh
   }
 }
 
-std::string value_name(const std::string& name) {
-  static const std::set<std::string> words{"end",       "function", "global", "persistent",
-                                           "otherwise", "until",    "catch",  "try",
-                                           "endif",     "endfor",   "parfor", "classdef"};
-  return words.count(name) > 0 || name[0] == '_' ? "v_" + name : name;
-}
-
-}  // namespace qvgen::emit::octave
+}  // namespace qvgen::emit::columns

@@ -26,3 +26,7 @@ FROM_SCRIPT("acos") double acos(double x);
 FROM_SCRIPT("asin") double asin(double x);
 static inline double fmax(double a, double b) { return a != a || b > a ? b : a; }
 static inline double fmin(double a, double b) { return a != a || b < a ? b : a; }
+static inline double round(double x) {
+  const double whole = trunc(x);
+  return fabs(x - whole) >= 0.5 ? whole + copysign(1.0, x) : whole;
+}

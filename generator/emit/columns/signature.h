@@ -8,12 +8,12 @@
 #include "emit/blocks/analysis.h"
 #include "emit/blocks/unit.h"
 
-/// A function of C as Octave and MATLAB call it: arrays with a configuration a column, constants behind them,
-/// and a result for each field of what C writes. `void arm_forward_kinematics(const double q[6], const
-/// arm_geometry* g, arm_pose* result)` is
+/// A function of C as it is called for many configurations at once: arrays with a configuration a column,
+/// constants behind them, and a result for each field of what C writes. `void arm_forward_kinematics(const
+/// double q[6], const arm_geometry* g, arm_pose* result)` is in Octave
 ///
 ///     [orientation, position] = qvgen_arm.forward_kinematics(q, g)
-namespace qvgen::emit::octave {
+namespace qvgen::emit::columns {
 
 struct Input {
   enum class Kind { row, number, structure };
@@ -38,7 +38,7 @@ struct Output {
 struct Signature {
   const blocks::Function* function = nullptr;
   std::string name;
-  std::vector<Input> inputs;  ///< in the order of Octave; what all code has as numbers is left out
+  std::vector<Input> inputs;  ///< in the order of a call; what all code has as numbers is left out
   std::vector<Output> outputs;
   int row_capacity = 0;   ///< of `found.rows`
   std::string row_count;  ///< how many there are: "found.count"
@@ -48,7 +48,4 @@ struct Signature {
 std::optional<Signature> signature_of(const blocks::Unit& unit, const blocks::Shapes& shapes,
                                       const blocks::Function& function);
 
-/// A name that is no word of Octave's or MATLAB's.
-std::string value_name(const std::string& name);
-
-}  // namespace qvgen::emit::octave
+}  // namespace qvgen::emit::columns
