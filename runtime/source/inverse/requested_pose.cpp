@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reading poses as callers give them, compiled once for all robots.
-#include <qvgen/detail/no_contraction.h>
-
 #include <cmath>
 
+#include <qvgen/detail/no_contraction.h>
 #include <qvgen/inverse/requested_pose.h>
 #include <qvgen/orientation/decimals.h>
 
