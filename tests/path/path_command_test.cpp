@@ -147,7 +147,7 @@ TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "the motion follows the whole path")) << result.output;
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
-  EXPECT_NE(read("motion.json").find("\"free\": \"rail_x\""), std::string::npos);
+  EXPECT_NE(read("motion.json").find("\"free\": ["), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
 }
 
@@ -184,6 +184,16 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --prove --spline", 2, "--spline");
   expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");
   expect("ur5 good.csv --free tool_z --range 1:0", 2, "above the upper one");
+  expect("ur5 good.csv --free cone_z -o out.csv", 2, "its tolerance is missing, cone_z=15deg");
+  expect("ur5 good.csv --free cone_z=15", 2, "degrees are 15deg");
+  expect("ur5 good.csv --free cone_z=nan", 2, "is no number");
+  expect("ur5 good.csv --free cone_z=5deg,tool_x", 2, "leave that out");
+  expect("ur5 good.csv --free shift_x=2:1mm", 2, "above the upper one");
+  expect("ur5 good.csv --free shift_x=5", 2, "millimetres are 2mm");
+  expect("ur5 good.csv --free shift_x=5deg", 2, "a length in degrees");
+  expect("ur5 good.csv --free tool_z,tool_z", 2, "named twice");
+  expect("ur5 good.csv --free cone_z=5deg,tool_z --range 0:1", 2, "one free coordinate");
+  expect("iiwa14 good.csv --free cone_z=5deg", 1, "name a joint or arm_angle");
   EXPECT_FALSE(fs::exists(folder / "out.csv"));
   EXPECT_FALSE(fs::exists(folder / "out.csv.new"));
 }
