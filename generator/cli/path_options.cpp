@@ -83,9 +83,7 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
           "--prove", arguments.prove,
           "prove by interval arithmetic that each motion is continuous, and that no other one follows the "
           "path; stretches that cannot be proven are reported")
-      ->excludes("--free")
-      ->excludes("--spline")
-      ->excludes("--blend");
+      ->excludes("--free");
   command
       .add_option(
           "--time", arguments.accelerations,

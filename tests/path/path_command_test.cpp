@@ -155,11 +155,14 @@ TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
 TEST_F(PathCommand, AProofIsReported) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program of proofs";
   write("seam.csv", seam(900));
-  const ToolRun result = follow("ur5 seam.csv --prove");
-  ASSERT_EQ(result.code, 0) << result.output;
-  EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
-  EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
-  EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven")) << result.output;
+  for (const std::string way : {"", " --spline", " --blend 0.005"}) {
+    const ToolRun result = follow("ur5 seam.csv --prove" + way);
+    ASSERT_EQ(result.code, 0) << result.output;
+    EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
+    EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
+    EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven"))
+        << result.output;
+  }
 }
 
 TEST_F(PathCommand, BadInputGetsAnAnswer) {
@@ -181,7 +184,6 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --time 0", 2, "--time");
   expect("ur5 good.csv --joint-speeds 1", 2, "--time");
   expect("ur5 good.csv --prove --free tool_z", 2, "--free");
-  expect("ur5 good.csv --prove --spline", 2, "--spline");
   expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");
   expect("ur5 good.csv --free tool_z --range 1:0", 2, "above the upper one");
   expect("ur5 good.csv --free cone_z -o out.csv", 2, "its tolerance is missing, cone_z=15deg");
