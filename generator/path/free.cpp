@@ -154,7 +154,8 @@ FreeMotion follow_free(const programs::Program& program, const FreeTask& task, c
   words.push_back(free_header(task));
   for (const FreeItem& item : task.free) add_words(task, item, words);
   const ordered_json json = run_with_poses(program, words, poses);
-  FreeMotion motion{json.at("samples"), json.at("seconds"), json.at("followed"), json.value("cost", 0.0), {}};
+  FreeMotion motion{json.at("samples"), json.at("seconds"), json.at("followed")};
+  if (!json.at("cost").is_null()) motion.cost = json.at("cost");
   for (const auto& place : json.at("motion"))
     motion.places.push_back(
         {place.at("values").get<std::vector<double>>(), place.at("q").get<std::vector<double>>()});

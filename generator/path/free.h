@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,12 +53,12 @@ struct FreeMotion {
   std::size_t samples = 0;
   double seconds = 0;
   double followed = -1;  ///< path coordinate up to which it is continuous; -1: nothing reaches the first pose
-  double cost = 0;
+  double cost = std::numeric_limits<double>::infinity();  ///< if there is one
   struct Place {
     std::vector<double> values;  ///< of the columns
     std::vector<double> q;
   };
-  std::vector<Place> places;  ///< at the poses
+  std::vector<Place> places{};  ///< at the poses
 };
 
 programs::Program free_program(const model::Robot& robot, const FreeTask& task, const std::string& key,

@@ -149,6 +149,17 @@ TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
   EXPECT_NE(read("motion.json").find("\"free\": ["), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
+  // The same program, as no joint is free.
+  const ToolRun cone = follow("ur5 seam.csv --free cone_z=10deg,shift_x=2mm -o motion.csv -o motion.svg");
+  EXPECT_EQ(cone.code, 1) << cone.output;
+  EXPECT_TRUE(has(cone, "no motion was found that goes farther than")) << cone.output;
+  EXPECT_EQ(read("motion.csv").rfind("s,t [s],free cone_z_x [rad],free cone_z_y [rad],free shift_x [m],", 0),
+            0U);
+  EXPECT_NE(read("motion.svg").find(">cone_z_y<"), std::string::npos);
+  write("far.csv", std::string(header) + "4000,0,250,180,0,0,0\n4000,10,250,180,0,0,1\n");
+  const ToolRun far = follow("ur5 far.csv --free cone_z=10deg -o motion.json -o motion.svg");
+  EXPECT_EQ(far.code, 1) << far.output;
+  EXPECT_TRUE(has(far, "nothing reaches the first pose")) << far.output;
 }
 
 /// Compiles a program of its own, half a minute: with QVGEN_PROOFS.
