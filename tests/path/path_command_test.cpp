@@ -149,7 +149,7 @@ TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
   EXPECT_NE(read("motion.json").find("\"free\": ["), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
-  // That program serves all that leaves joints alone.
+  // Tolerances of six joints use one program.
   const ToolRun cone = follow("ur5 seam.csv --free cone_z=10deg,shift_x=2mm -o motion.csv -o motion.svg");
   EXPECT_EQ(cone.code, 1) << cone.output;
   EXPECT_TRUE(has(cone, "no motion was found that goes farther than")) << cone.output;
