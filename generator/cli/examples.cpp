@@ -83,6 +83,7 @@ const char* const path_examples = R"(
   qvgen path arm.urdf seam.csv --time 10 --joint-torques description   the least time, within the effort limits too
   qvgen path iiwa14 seam.csv --hold theta3=0  seven joints, the third of which stays
   qvgen path ur5 weld.csv --free tool_z -o motion.csv   the best motion, the tool turning about its z as it likes
+  qvgen path ur5 weld.csv --free tool_z,cone_z=15deg,shift_z=2mm   likewise, within tolerances
   qvgen path iiwa14 seam.csv --free arm_angle -o motion.csv   likewise, the elbow where it is best
 )";
 

@@ -8,8 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/free_items.h"
 #include "cli/origin.h"
 #include "cli/path_forces.h"
+#include "cli/path_numbers.h"
 #include "cli/path_options.h"
 #include "cli/path_report.h"
 #include "cli/progress_line.h"
@@ -37,30 +39,6 @@ void check_outputs(const PathArguments& arguments) {
                                    output.string()));
 }
 
-/// A number with an optional unit behind it; throws UsageError.
-double number_of(const std::string& option, std::string text) {
-  const auto ends = [&](const std::string& unit) {
-    const bool has =
-        text.size() > unit.size() && text.compare(text.size() - unit.size(), unit.size(), unit) == 0;
-    if (has) text.erase(text.size() - unit.size());
-    return has;
-  };
-  const double factor = ends("deg") ? degree : ends("mm") ? 1e-3 : 1;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value))
-    throw UsageError(fmt::format("{}: '{}' is no number", option, text));
-  return factor * value;
-}
-
-/// NAME=REST
-std::pair<std::string, std::string> named(const std::string& option, const std::string& text) {
-  const std::size_t mark = text.find('=');
-  if (mark == std::string::npos || mark == 0)
-    throw UsageError(fmt::format("{} {}: NAME=... is missing", option, text));
-  return {text.substr(0, mark), text.substr(mark + 1)};
-}
-
 std::vector<path::MovingJoint> joints_of(const report::Chain& chain, bool with_limits) {
   std::vector<path::MovingJoint> joints;
   for (const report::ChainJoint& joint : chain.joints)
@@ -81,21 +59,6 @@ path::MovingJoint& joint_called(std::vector<path::MovingJoint>& joints, const st
   }
   check_names(option + ": there is no joint", {name}, names);
   return joints.front();
-}
-
-/// LOWER:UPPER; a unit behind the upper one is stated once for both.
-std::pair<double, double> range_of(const std::string& option, const std::string& range) {
-  const std::size_t colon = range.find(':');
-  if (colon == std::string::npos) throw UsageError(option + " " + range + ": LOWER:UPPER is missing");
-  std::string lower = range.substr(0, colon), upper = range.substr(colon + 1);
-  for (const char* unit : {"deg", "mm"})
-    if (upper.find(unit) != std::string::npos &&
-        lower.find_first_not_of("0123456789.+-eE") == std::string::npos)
-      lower += unit;
-  const std::pair<double, double> ends{number_of(option, lower), number_of(option, upper)};
-  if (ends.first > ends.second)
-    throw UsageError(option + " " + range + ": the lower limit is above the upper one");
-  return ends;
 }
 
 /// The way between poses as the program reads it.
@@ -169,18 +132,18 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
 
 path::FreeTask free_task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::FreeTask task;
-  task.free = arguments.free;
+  task.free = free_items(arguments.free, arguments.range);
   task.joints = all_joints(arguments, robot);
   task.values = arguments.values;
   task.between = between_of(arguments);
-  if (!arguments.range.empty()) task.range = range_of("--range", arguments.range);
   task.preferred = arguments.preferred;
-  const bool is_seventh = !task.turns_tool() && !task.is_rail();
-  const std::size_t wanted = is_seventh ? 7 : 6;
-  if (is_seventh && task.free != "arm_angle") joint_called(task.joints, "--free", task.free);
+  const std::string seventh = task.seventh();
+  const std::size_t wanted = seventh.empty() ? 6 : 7;
+  if (!seventh.empty() && seventh != "arm_angle") joint_called(task.joints, "--free", seventh);
   if (task.joints.size() != wanted)
-    throw std::runtime_error(fmt::format("--free {} is for arms of {} joints; {} has {}", task.free, wanted,
-                                         robot.name, task.joints.size()));
+    throw std::runtime_error(fmt::format("--free {} is for arms of {} joints; {} has {}{}", task.names(),
+                                         wanted, robot.name, task.joints.size(),
+                                         task.joints.size() == 7 ? ": name a joint or arm_angle, too" : ""));
   if (!task.preferred.empty() && task.preferred.size() != wanted)
     throw UsageError(
         fmt::format("--prefer has {} numbers; {} has {} joints", task.preferred.size(), robot.name, wanted));

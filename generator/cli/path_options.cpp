@@ -52,17 +52,23 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   command
       .add_option(
           "--free", arguments.free,
-          "what the path leaves open: a turn about a tool axis, tool_x, tool_y or tool_z; where the base is "
-          "on a rail along one of its axes, rail_x, rail_y or rail_z; of seven joints one by its name, or "
-          "arm_angle. The best motion is found, and the values that it takes")
+          "what the path leaves open, several with commas: turns about the tool's axes, tool_z or "
+          "tool_z=-10:20deg; a tilt of such an axis in a cone, cone_z=15deg; ways along the tool's axes, "
+          "shift_x=2mm, or along the base's, base_x=-1:2mm; where the base is on a rail along one of its "
+          "axes, "
+          "rail_x=0:3; of seven joints one by its name, or arm_angle. The best motion is found, and the "
+          "values "
+          "that it takes")
       ->type_name("WHAT")
+      ->allow_extra_args(false)
+      ->delimiter(',')
       ->excludes("--hold");
   command
       .add_option("--range", arguments.range,
-                  "for --free: its lower and upper end, LOWER:UPPER, rad or m, or with deg or mm behind")
+                  "for one --free: its lower and upper end, LOWER:UPPER, rad or m, or with deg or mm behind")
       ->type_name("RANGE")
       ->needs("--free");
-  command.add_option("--values", arguments.values, "for --free: how many are tried at each pose")
+  command.add_option("--values", arguments.values, "for one --free: how many are tried at each pose")
       ->type_name("NUMBER")
       ->check(CLI::Range(4, 100000).description(""))
       ->capture_default_str();
@@ -87,9 +93,7 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
           "--prove", arguments.prove,
           "prove by interval arithmetic that each motion is continuous, and that no other one follows the "
           "path; stretches that cannot be proven are reported")
-      ->excludes("--free")
-      ->excludes("--spline")
-      ->excludes("--blend");
+      ->excludes("--free");
   command
       .add_option(
           "--time", arguments.accelerations,

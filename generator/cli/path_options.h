@@ -18,9 +18,9 @@ struct PathArguments {
   std::vector<std::filesystem::path> outputs;
   std::vector<std::string> limits;  ///< NAME=LOWER:UPPER
   std::string held;                 ///< NAME=VALUE
-  std::string free;  ///< tool_x to tool_z, rail_x to rail_z, arm_angle or a joint; empty for none
-  std::vector<double> preferred;  ///< joints to be near to, rad or m
-  int values = 72;                ///< of what is free, at each pose
+  std::vector<std::string> free;    ///< what is free, NAME or NAME=RANGE; empty for nothing
+  std::vector<double> preferred;    ///< joints to be near to, rad or m
+  int values = 72;                  ///< of what is free, at each pose
   bool without_limits = false;
   bool screw = false, spline = false;
   double blend = 0;   ///< radius, m; 0 without

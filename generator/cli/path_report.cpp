@@ -162,6 +162,16 @@ std::string gaps_text(const path::Result& result) {
   return text;
 }
 
+/// The values that a free coordinate takes.
+std::string span_text(const path::FreeMotion& motion, const path::FreeColumn& column, std::size_t i) {
+  const auto [low, high] =
+      std::minmax_element(motion.places.begin(), motion.places.end(),
+                          [&](const auto& a, const auto& b) { return a.values.at(i) < b.values.at(i); });
+  const double unit = column.turns ? degrees : 1e3;
+  return fmt::format("{} from {:.4g} to {:.4g} {}\n", column.name, low->values.at(i) * unit,
+                     high->values.at(i) * unit, column.turns ? "deg" : "mm");
+}
+
 }  // namespace
 
 std::string path_text(const path::Result& result, const path::Task& task, const path::Poses& poses,
@@ -185,15 +195,10 @@ std::string path_text(const path::Result& result, const path::Task& task, const 
 std::string free_text(const path::FreeMotion& motion, const path::FreeTask& task, const path::Poses& poses,
                       const std::string& robot) {
   std::string text =
-      fmt::format("{}: {} poses, {:.4g} m, free {}\n", robot, motion.samples, poses.length(), task.free);
+      fmt::format("{}: {} poses, {:.4g} m, free {}\n", robot, motion.samples, poses.length(), task.names());
   if (motion.places.empty()) return text + "nothing reaches the first pose\n";
-  const auto [low, high] =
-      std::minmax_element(motion.places.begin(), motion.places.end(),
-                          [](const auto& a, const auto& b) { return a.value < b.value; });
-  const bool slides = !task.turns();
-  const double unit = slides ? 1e3 : degrees;
-  text += fmt::format("{} from {:.4g} to {:.4g} {}\n", task.free, low->value * unit, high->value * unit,
-                      slides ? "mm" : "deg");
+  const std::vector<path::FreeColumn> columns = task.columns();
+  for (std::size_t i = 0; i < columns.size(); ++i) text += span_text(motion, columns[i], i);
   path::Task joints;
   joints.joints = task.joints;
   text += fmt::format("joints at the start (deg, mm): {}\n", joints_of(joints, motion.places.front().q));

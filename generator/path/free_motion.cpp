@@ -8,10 +8,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Joint values, then what is free if it is no joint.
+/// Joint values, then those of what is free and no joint.
 std::vector<double> panels_of(const FreeMotion::Place& place, const FreeTask& task) {
   std::vector<double> values = place.q;
-  if (task.joint() == nullptr) values.push_back(place.value);
+  const std::vector<FreeColumn> columns = task.columns();
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (task.joint(columns[i].name) == nullptr) values.push_back(place.values.at(i));
   return values;
 }
 
@@ -27,14 +29,16 @@ Motion motion_of(const FreeMotion& free, const FreeTask& task) {
 }  // namespace
 
 ordered_json json_of(const FreeMotion& motion, const FreeTask& task, const std::string& robot) {
-  ordered_json json{{"robot", robot}, {"joints", ordered_json::array()}, {"free", task.free}};
+  ordered_json json{{"robot", robot}, {"joints", ordered_json::array()}, {"free", ordered_json::array()}};
   for (const MovingJoint& joint : task.joints) json["joints"].push_back(joint.name);
+  for (const FreeColumn& column : task.columns()) json["free"].push_back(column.name);
   json["samples"] = motion.samples;
   json["seconds"] = motion.seconds;
   json["followed"] = motion.followed;
+  json["cost"] = motion.cost;
   json["motion"] = ordered_json::array();
   for (std::size_t i = 0; i < motion.places.size(); ++i)
-    json["motion"].push_back({{"s", i}, {"value", motion.places[i].value}, {"q", motion.places[i].q}});
+    json["motion"].push_back({{"s", i}, {"values", motion.places[i].values}, {"q", motion.places[i].q}});
   return json;
 }
 
@@ -43,8 +47,9 @@ Shown shown_of(const FreeMotion& motion, const FreeTask& task) {
   Task& panels = shown.panels;
   panels.joints = task.joints;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (task.joint() == nullptr)
-    panels.joints.push_back({task.free, task.turns(), {-infinity, infinity}, infinity, 0});
+  for (const FreeColumn& column : task.columns())
+    if (task.joint(column.name) == nullptr)
+      panels.joints.push_back({column.name, column.turns, {-infinity, infinity}, infinity, 0});
   shown.result.samples = motion.samples;
   if (!motion.places.empty()) shown.result.motions.push_back(motion_of(motion, task));
   return shown;

@@ -21,7 +21,11 @@ using nlohmann::json;
 /// Parts of a picture besides the joints that move.
 struct Extras {
   std::optional<HeldJoint> held;
-  std::optional<std::size_t> rail;  ///< axis along which the base goes by the last value: 0 to 2
+  struct Rail {
+    std::size_t place;  ///< among a motion's values
+    std::size_t axis;   ///< along which the base goes: 0 to 2
+  };
+  std::vector<Rail> rails;
 };
 
 /// A number to a millionth, so that pages stay small.
@@ -57,6 +61,24 @@ std::optional<std::size_t> index_of(const json& arm, const std::optional<HeldJoi
   return std::min<std::size_t>(static_cast<std::size_t>(found - names.begin()), arm.at("joints").size() - 1);
 }
 
+/// The way of the arm's base from where it stands, m.
+json way_of_base(const std::vector<double>& values, const std::vector<Extras::Rail>& rails) {
+  std::vector<double> way(3, 0.0);
+  for (const Extras::Rail& rail : rails) way[rail.axis] = values[rail.place];
+  return numbers(way);
+}
+
+std::vector<Extras::Rail> rails_of(const FreeTask& task) {
+  std::vector<Extras::Rail> rails;
+  std::size_t place = task.joints.size();
+  for (const FreeColumn& column : task.columns()) {
+    if (column.name.rfind("rail_", 0) == 0)
+      rails.push_back({place, static_cast<std::size_t>(column.name.back() - 'x')});
+    if (task.joint(column.name) == nullptr) ++place;
+  }
+  return rails;
+}
+
 json motion_data(const Result& result, const Task& task, std::size_t i, const Extras& extras,
                  std::size_t count, const std::optional<std::size_t>& held) {
   const Motion& motion = result.motions[i];
@@ -64,7 +86,7 @@ json motion_data(const Result& result, const Task& task, std::size_t i, const Ex
   for (const auto& [s, q] : motion.curve) {
     data["s"].push_back(rounded(s));
     data["q"].push_back(joints_of(q, count, held, extras.held ? extras.held->value : 0));
-    if (extras.rail) data["way"].push_back(rounded(q.back()));
+    if (!extras.rails.empty()) data["way"].push_back(way_of_base(q, extras.rails));
   }
   if (!motion.curve_times.empty()) data["t"] = numbers(motion.curve_times);
   return data;
@@ -83,7 +105,6 @@ json data_of(const model::Robot& robot, const Result& result, const Task& task, 
             {"end", std::max(1.0, result.end())},
             {"map", {{"left", map_left}, {"width", map_width}, {"top", map_top}}},
             {"motions", json::array()}};
-  if (extras.rail) data["rail"] = *extras.rail;
   const std::vector<std::string> names = variables_of(chain);
   const auto held = index_of(data["arm"], extras.held, names);
   for (std::size_t i = 0; i < std::min(result.motions.size(), most_on_page); ++i)
@@ -126,15 +147,13 @@ std::string page_of(const model::Robot& robot, Result result, const Task& task, 
 
 std::string page_of(const model::Robot& robot, const Result& result, const Task& task,
                     const std::string& title) {
-  return page_of(robot, result, task, {task.held, std::nullopt}, title);
+  return page_of(robot, result, task, {task.held, {}}, title);
 }
 
 std::string page_of(const model::Robot& robot, const FreeMotion& motion, const FreeTask& task,
                     const std::string& title) {
   const Shown shown = shown_of(motion, task);
-  Extras extras;
-  if (task.is_rail()) extras.rail = static_cast<std::size_t>(task.free.back() - 'x');
-  return page_of(robot, shown.result, shown.panels, extras, title);
+  return page_of(robot, shown.result, shown.panels, {std::nullopt, rails_of(task)}, title);
 }
 
 }  // namespace qvgen::path

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_on_page = 60;
 std::string page_of(const model::Robot& robot, const Result& result, const Task& task,
                     const std::string& title);
 
-/// Returns the page of the best motion where one coordinate is free.
+/// Returns the page of the best motion where coordinates are free.
 std::string page_of(const model::Robot& robot, const FreeMotion& motion, const FreeTask& task,
                     const std::string& title);
 

@@ -43,12 +43,13 @@ class PathPlayer {
     return place && q[place.low].map((_, k) => (1 - place.share) * q[place.low][k] + place.share * q[place.high][k]);
   }
 
-  /// The arm at a place, its base moved along a rail if there is one.
+  /// The arm at a place, its base moved along rails if there are some.
   skeleton(i, s) {
-    const { rail, motions } = this.data;
+    const motion = this.data.motions[i];
     const drawn = this.skeletonOf(this.joints(i, s));
-    if (rail === undefined) return drawn;
-    const way = scaled(mixed(placeOf(motions[i].s, s), motions[i].way), [0, 1, 2].map((k) => (k === rail ? 1 : 0)));
+    if (motion.way === undefined) return drawn;
+    const place = placeOf(motion.s, s);
+    const way = [0, 1, 2].map((k) => mixed(place, motion.way.map((at) => at[k])));
     const moved = (point) => add(point, way);
     const joints = drawn.joints.map((joint) => ({ ...joint, point: moved(joint.point), moved: moved(joint.moved) }));
     return { points: drawn.points.map(moved), joints, tool: { r: drawn.tool.r, p: moved(drawn.tool.p) } };

@@ -142,29 +142,39 @@ void follow_all(const char* name, const Arm& arm, double length, int paths) {
   std::fflush(stdout);
 }
 
-template <int dof, int capacity, class SolveAt, class Forward>
-void follow_free(const char* name, const SolveAt& solve_at, const Forward& forward,
+/// A path with what is free on it, by name and half width.
+using Free = std::vector<std::pair<const char*, double>>;
+
+template <int dof>
+path::FreeRequest<dof> request_of(const Poses& poses, const Free& free) {
+  path::FreeRequest<dof> request;
+  request.path.samples = poses;
+  request.limits = usual_limits<dof>();
+  for (const auto& [name, half] : free) {
+    path::FreeRange range;
+    range.lower = -half;
+    range.upper = half;
+    range.is_circle = half >= pi;
+    add_named(request.freedoms, name, range);
+  }
+  return request;
+}
+
+template <int dof, int capacity, class Solve, class Forward>
+void follow_free(const char* name, const Free& free, const Solve& solve, const Forward& forward,
                  const JointKinds<dof>& revolute, int paths) {
   std::mt19937 random(5);
   std::vector<double> all;
   for (int i = 0; i < paths; ++i) {
-    path::FreeRequest<dof> request;
-    request.path.samples =
+    const Poses poses =
         bent_path(forward(Joints<dof>(0.8 * random_joints<dof>(revolute, random))), 0.5, random);
-    request.range.lower = -pi;
-    request.range.upper = pi;
-    request.range.is_circle = true;
-    request.limits = usual_limits<dof>();
-    request.preferred = Joints<dof>::Zero();
-    const path::Curve curve(request.path.samples.data(), samples);
-    const auto solve = [&](double s, double value) { return solve_at(curve.at(s), value); };
+    const auto request = request_of<dof>(poses, free);
     double followed = -1;
-    const double time = milliseconds([&] {
-      followed = path::FreeResult<dof, capacity, decltype(solve)>(solve, request, revolute).followed;
-    });
+    const double time = milliseconds(
+        [&] { followed = path::FreeResult<dof, capacity, Solve>(solve, request, revolute).followed; });
     if (followed >= static_cast<double>(samples - 1)) all.push_back(time);
   }
-  std::printf("%-24s%10.1f%10.1f%10.1f%16zu of %d\n", name, part(all, 0.5), part(all, 0.9), part(all, 1),
+  std::printf("%-28s%10.1f%10.1f%10.1f%16zu of %d\n", name, part(all, 0.5), part(all, 0.9), part(all, 1),
               all.size(), paths);
   std::fflush(stdout);
 }
@@ -191,27 +201,29 @@ void follow_all(double length, int paths) {
 }
 
 void follow_free(int paths) {
-  std::printf("%-24s%10s%10s%10s%18s\n", "one coordinate free, ms", "median", "90 %", "slowest",
-              "all the way");
-  const auto turn = [](const Pose<double>& pose, double value) {
-    return robots::ur5::inverse_kinematics(path::turned(pose, 2, value));
-  };
-  follow_free<6, 8>(
-      "ur5, tool_z", turn, [](const auto& q) { return robots::ur5::forward_kinematics<double>(q); },
-      robots::ur5::is_revolute, paths);
-  const auto turn_wrist = [](const Pose<double>& pose, double value) {
-    return robots::irb6640::inverse_kinematics(path::turned(pose, 2, value));
-  };
-  follow_free<6, 8>(
-      "irb6640, tool_z", turn_wrist,
-      [](const auto& q) { return robots::irb6640::forward_kinematics<double>(q); },
-      robots::irb6640::is_revolute, paths);
-  const auto elbow = [](const Pose<double>& pose, double value) {
+  std::printf("%-28s%10s%10s%10s%18s\n", "free, ms", "median", "90 %", "slowest", "all the way");
+  const auto ur5 = [](const Pose<double>& pose, double) { return robots::ur5::inverse_kinematics(pose); };
+  const auto ur5_pose = [](const auto& q) { return robots::ur5::forward_kinematics<double>(q); };
+  const auto irb = [](const Pose<double>& pose, double) { return robots::irb6640::inverse_kinematics(pose); };
+  const auto irb_pose = [](const auto& q) { return robots::irb6640::forward_kinematics<double>(q); };
+  const auto iiwa = [](const Pose<double>& pose, double value) {
     return robots::iiwa14::inverse_kinematics_arm_angle(pose, value);
   };
-  follow_free<7, 8>(
-      "iiwa14, arm_angle", elbow, [](const auto& q) { return robots::iiwa14::forward_kinematics<double>(q); },
-      robots::iiwa14::is_revolute, paths);
+  const auto iiwa_pose = [](const auto& q) { return robots::iiwa14::forward_kinematics<double>(q); };
+  const Free turn{{"tool_z", pi}}, cone{{"cone_z", 0.2}}, both{{"cone_z", 0.2}, {"tool_z", pi}};
+  const Free box{{"shift_x", 0.005}, {"shift_y", 0.005}, {"shift_z", 0.005},
+                 {"tool_x", 0.05},   {"tool_y", 0.05},   {"tool_z", 0.05}};
+  const auto& ur5_kinds = robots::ur5::is_revolute;
+  const auto& iiwa_kinds = robots::iiwa14::is_revolute;
+  follow_free<6, 8>("ur5, turn", turn, ur5, ur5_pose, ur5_kinds, paths);
+  follow_free<6, 8>("ur5, cone", cone, ur5, ur5_pose, ur5_kinds, paths);
+  follow_free<6, 8>("ur5, cone and turn", both, ur5, ur5_pose, ur5_kinds, paths);
+  follow_free<6, 8>("ur5, box of six", box, ur5, ur5_pose, ur5_kinds, paths);
+  follow_free<6, 8>("irb6640, turn", turn, irb, irb_pose, robots::irb6640::is_revolute, paths);
+  follow_free<6, 8>("irb6640, cone and turn", both, irb, irb_pose, robots::irb6640::is_revolute, paths);
+  follow_free<7, 8>("iiwa14, arm angle", {{"arm_angle", pi}}, iiwa, iiwa_pose, iiwa_kinds, paths);
+  follow_free<7, 8>("iiwa14, arm angle and turn", {{"joint", pi}, {"tool_z", pi}}, iiwa, iiwa_pose,
+                    iiwa_kinds, paths);
 }
 
 /// The forces of an iiwa14.

@@ -48,9 +48,9 @@ const NamedArm& arm_called(const std::string& name) {
 }
 
 Whole::Whole(const AnyArm& arm, std::vector<Pose<double>> poses, const JointLimits<6>& joint_limits,
-             Between between, const Options& options)
+             Between between, const Options& options, double radius)
     : samples(std::move(poses)),
-      curve(samples.data(), samples.size(), between),
+      curve(samples.data(), samples.size(), between, radius),
       limits(joint_limits),
       q(samples.size() * capacity * 6),
       rows(samples.size() * capacity),

@@ -36,7 +36,7 @@ inline JointLimits<6> no_limits() {
 struct Whole {
   static constexpr int capacity = 16;
   Whole(const AnyArm& arm, std::vector<Pose<double>> samples, const JointLimits<6>& limits = no_limits(),
-        Between between = Between::straight, const Options& options = {});
+        Between between = Between::straight, const Options& options = {}, double radius = 0);
   Whole(const Whole&) = delete;
   /// Follows the path anew.
   void follow(const AnyArm& arm, const Options& options);

@@ -55,12 +55,13 @@ double regularity_at(const Curve& curve, double s) {
 }
 
 TEST(PathComplete, WhatIsNotNextToSingularPosesIsProvenAndAgreesWithDensePlaces) {
+  constexpr std::array<Between, 4> ways{Between::screw, Between::spline, Between::straight, Between::blend};
   std::mt19937 random(6);
   double proven = 0;
-  for (int k = 0; k < path_count(3); ++k) {
+  for (int k = 0; k < path_count(4); ++k) {
     SCOPED_TRACE(k);
     const Whole whole(cuspidal(), random_path(cuspidal(), random, 5, 0.04), no_limits(),
-                      k % 2 == 0 ? Between::screw : Between::straight);
+                      ways.at(static_cast<std::size_t>(k) % 4), {}, 0.002);
     const Stretches gaps = gaps_of(whole);
     for (const auto& [from, to] : gaps) {
       const double nearest = std::min(regularity_at(whole.curve, from), regularity_at(whole.curve, to));

@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The turn about the tool's axis left free: the motion reaches every pose but for that turn, stays within
-// limits, is continuous between the poses, and is there where no fixed turn would do.
-#include <gtest/gtest.h>
-#include <qvgen/path/free_program.h>
-
-#include "arms.h"
+// Coordinates left free: the motion reaches every pose but for those, stays within limits and tolerances, is
+// continuous between the poses, and is there where the path as it stands cannot be followed.
+#include "free_paths.h"
 
 namespace path_test {
 namespace {
-
-FreeRequest<6> request_of(std::vector<Pose<double>> samples, const JointLimits<6>& limits) {
-  FreeRequest<6> request;
-  request.path.samples = std::move(samples);
-  request.limits = limits;
-  request.preferred = Values::Zero();
-  request.range.lower = -inverse::whole_turn / 2;
-  request.range.upper = inverse::whole_turn / 2;
-  request.range.is_circle = true;
-  request.range.count = 36;
-  return request;
-}
 
 /// A UR5 that goes once around a circle, the tool turning with it once too often for its last joint.
 TEST(FreePath, ATurnedToolIsHeldWithinLimits) {
@@ -32,15 +17,12 @@ TEST(FreePath, ATurnedToolIsHeldWithinLimits) {
                        {0.45 + 0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.2}});
   }
   const JointLimits<6> limits{Values::Constant(-2.8), Values::Constant(2.8)};
-  const FreeRequest<6> request = request_of(samples, limits);
-  const Curve curve(samples.data(), samples.size());
-  const auto solve = [&](double s, double value) { return arm.solve(turned(curve.at(s), 2, value)); };
-  const FreeResult<6, 16, decltype(solve)> result(solve, request, arm.revolute);
+  const Result result = best_of(arm, request_of(samples, limits, {{"tool_z"}}));
   ASSERT_EQ(result.places.size(), samples.size());
   EXPECT_EQ(result.followed, 60);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const FreePlace<6>& place = result.places[i];
-    const Pose<double> reached = arm.forward(place.q), wanted = turned(samples[i], 2, place.value);
+    const Pose<double> reached = arm.forward(place.q), wanted = turned(samples[i], 2, place.values[0]);
     EXPECT_LT(linear_distance(reached, wanted), 1e-9);
     EXPECT_LT(angular_distance(reached, wanted), 1e-9);
     EXPECT_TRUE((place.q.array() >= limits.lower.array()).all() &&
@@ -62,10 +44,7 @@ TEST(FreePath, BeyondReachTheMotionEnds) {
   std::vector<Pose<double>> samples;
   for (int i = 0; i <= 20; ++i)
     samples.push_back({Quaternion<double>(0, 1, 0, 0), {0.4 + 0.05 * i, 0.1, 0.2}});
-  const FreeRequest<6> request = request_of(samples, no_limits());
-  const Curve curve(samples.data(), samples.size());
-  const auto solve = [&](double s, double value) { return arm.solve(turned(curve.at(s), 2, value)); };
-  const FreeResult<6, 16, decltype(solve)> result(solve, request, arm.revolute);
+  const Result result = best_of(arm, request_of(samples, no_limits(), {{"tool_z"}}));
   EXPECT_GT(result.followed, 3);
   EXPECT_LT(result.followed, 15);
 }
@@ -75,16 +54,13 @@ TEST(FreePath, ARailFollowsALongLine) {
   const AnyArm& arm = arm_called("ur5").arm;
   std::vector<Pose<double>> samples;
   for (int i = 0; i <= 60; ++i) samples.push_back({{0, 1, 0, 0}, {0.4 + 0.05 * i, -0.2, 0.25}});
-  FreeRequest<6> request = request_of(samples, {Values::Constant(-2.8), Values::Constant(2.8)});
-  request.range = {-1, 4, false, 101, 3};
-  const Curve curve(samples.data(), samples.size());
-  const auto solve = [&](double s, double value) { return arm.solve(from_rail(curve.at(s), 0, value)); };
-  const FreeResult<6, 16, decltype(solve)> result(solve, request, arm.revolute);
+  const JointLimits<6> limits{Values::Constant(-2.8), Values::Constant(2.8)};
+  const Result result = best_of(arm, request_of(samples, limits, {{"rail_x", -1, 4}}));
   EXPECT_EQ(result.followed, 60);
   ASSERT_EQ(result.places.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     Pose<double> tool = arm.forward(result.places[i].q);
-    tool.position.x() += result.places[i].value;
+    tool.position.x() += result.places[i].values[0];
     EXPECT_LT(linear_distance(tool, samples[i]), 1e-9);
     EXPECT_LT(angular_distance(tool, samples[i]), 1e-9);
   }

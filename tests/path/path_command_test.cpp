@@ -182,20 +182,34 @@ TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "the motion follows the whole path")) << result.output;
   EXPECT_EQ(read("motion.csv").rfind("s,t [s],free rail_x [m],theta1 [rad],", 0), 0U);
-  EXPECT_NE(read("motion.json").find("\"free\": \"rail_x\""), std::string::npos);
+  EXPECT_NE(read("motion.json").find("\"free\": ["), std::string::npos);
   EXPECT_NE(read("motion.svg").find(">rail_x<"), std::string::npos);
-  EXPECT_NE(read("motion.html").find("\"rail\":0"), std::string::npos);
+  EXPECT_NE(read("motion.html").find("\"way\":[[0"), std::string::npos);
+  // Tolerances of six joints use one program.
+  const ToolRun cone = follow("ur5 seam.csv --free cone_z=10deg,shift_x=2mm -o motion.csv -o motion.svg");
+  EXPECT_EQ(cone.code, 1) << cone.output;
+  EXPECT_TRUE(has(cone, "no motion was found that goes farther than")) << cone.output;
+  EXPECT_EQ(read("motion.csv").rfind("s,t [s],free cone_z_x [rad],free cone_z_y [rad],free shift_x [m],", 0),
+            0U);
+  EXPECT_NE(read("motion.svg").find(">cone_z_y<"), std::string::npos);
+  write("far.csv", std::string(header) + "4000,0,250,180,0,0,0\n4000,10,250,180,0,0,1\n");
+  const ToolRun far = follow("ur5 far.csv --free cone_z=10deg -o motion.json -o motion.svg");
+  EXPECT_EQ(far.code, 1) << far.output;
+  EXPECT_TRUE(has(far, "nothing reaches the first pose")) << far.output;
 }
 
 /// Compiles a program of its own, half a minute: with QVGEN_PROOFS.
 TEST_F(PathCommand, AProofIsReported) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program of proofs";
   write("seam.csv", seam(900));
-  const ToolRun result = follow("ur5 seam.csv --prove");
-  ASSERT_EQ(result.code, 0) << result.output;
-  EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
-  EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
-  EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven")) << result.output;
+  for (const std::string way : {"", " --spline", " --blend 0.005"}) {
+    const ToolRun result = follow("ur5 seam.csv --prove" + way);
+    ASSERT_EQ(result.code, 0) << result.output;
+    EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
+    EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
+    EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven"))
+        << result.output;
+  }
 }
 
 TEST_F(PathCommand, BadInputGetsAnAnswer) {
@@ -226,9 +240,18 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("crx10ia good.csv --time 6 --joint-torques 100", 1, "no masses");
   expect("puma560 good.csv --time 6 --joint-torques description", 1, "no effort limits");
   expect("ur5 good.csv --prove --free tool_z", 2, "--free");
-  expect("ur5 good.csv --prove --spline", 2, "--spline");
   expect("ur5 good.csv --spline --blend 0.1", 2, "--blend");
   expect("ur5 good.csv --free tool_z --range 1:0", 2, "above the upper one");
+  expect("ur5 good.csv --free cone_z -o out.csv", 2, "its tolerance is missing, cone_z=15deg");
+  expect("ur5 good.csv --free cone_z=15", 2, "degrees are 15deg");
+  expect("ur5 good.csv --free cone_z=nan", 2, "is no number");
+  expect("ur5 good.csv --free cone_z=5deg,tool_x", 2, "leave that out");
+  expect("ur5 good.csv --free shift_x=2:1mm", 2, "above the upper one");
+  expect("ur5 good.csv --free shift_x=5", 2, "millimetres are 2mm");
+  expect("ur5 good.csv --free shift_x=5deg", 2, "a length in degrees");
+  expect("ur5 good.csv --free tool_z,tool_z", 2, "named twice");
+  expect("ur5 good.csv --free cone_z=5deg,tool_z --range 0:1", 2, "one free coordinate");
+  expect("iiwa14 good.csv --free cone_z=5deg", 1, "name a joint or arm_angle");
   EXPECT_FALSE(fs::exists(folder / "out.csv"));
   EXPECT_FALSE(fs::exists(folder / "out.csv.new"));
 }

@@ -49,13 +49,19 @@ double regularity(const Whole& whole, int track, double s) {
   return reference::smallest_singular_value(arm().jacobian(found[nearest.row].q));
 }
 
+/// All ways between samples, one after the other.
+Between way_between(int k) {
+  constexpr std::array<Between, 4> ways{Between::screw, Between::straight, Between::spline, Between::blend};
+  return ways.at(static_cast<std::size_t>(k) % 4);
+}
+
 TEST(PathProof, OnlyWhatIsNextToSingularPosesIsNotProven) {
   std::mt19937 random(3);
   int whole_ones = 0, gaps = 0;
   for (int k = 0; k < path_count(9); ++k) {
     SCOPED_TRACE(k);
     const Whole whole(arm(), random_path(arm(), random, 12, k % 2 == 0 ? 0.2 : 0.8), no_limits(),
-                      k % 3 == 0 ? Between::screw : Between::straight);
+                      way_between(k), {}, 0.005);
     for (int track = 0; track < whole.record.tracks(); ++track) {
       const Motion motion = motion_on(whole, track);
       const Gaps result = proven(whole, motion);
@@ -96,9 +102,9 @@ TEST(PathProof, WrongClaimsAreNotProven) {
   std::mt19937 random(4);
   int right = 0, wrong = 0;
   for (int k = 0; k < 12; ++k) {
-    const auto samples = random_path(arm(), random, 2, 0.05);
-    const Curve curve(samples.data(), 2);
-    const Between2 way{samples[0], samples[1], arm().solve(samples[0]), arm().solve(samples[1]),
+    const auto samples = random_path(arm(), random, 3, 0.1);
+    const Curve curve(samples.data(), 3, way_between(k), 0.01);
+    const Between2 way{curve.at(0), curve.at(1), arm().solve(curve.at(0)), arm().solve(curve.at(1)),
                        proving::way_of(curve, 0)};
     for (const auto& from : way.at_a)
       for (const auto& to : way.at_b) {
@@ -130,6 +136,52 @@ TEST(PathProof, WrongClaimsAreNotProven) {
   EXPECT_GT(wrong, 100);
 }
 
+/// The joints in the tube of a bent way are those of its poses, not of the straight ones or of others.
+TEST(PathProof, TubesHoldTheJointsOfBentWays) {
+  std::mt19937 random(6);
+  int seen = 0, missed = 0;
+  for (int k = 0; k < 16; ++k) {
+    auto samples = random_path(arm(), random, 3, 0.2);
+    samples[2].position += Vector3<double>(0.03, -0.02, 0.04);
+    const Curve curve(samples.data(), 3, k % 2 == 0 ? Between::spline : Between::blend, 0.05);
+    const Curve straight(samples.data(), 3);
+    const auto start = arm().solve(curve.at(0.75));
+    for (const auto& row : start) {
+      Values q = row.q;
+      const auto next_on = [&](const Curve& way, double u) {
+        const auto found = arm().solve(way.at(u));
+        const Nearest nearest = Nearest::of(found, q, arm().revolute);
+        return nearest.row < 0 ? q : Values(q + difference(found[nearest.row].q, q, arm().revolute));
+      };
+      Values low = q, high = q;
+      double off = 0;
+      for (int i = 0; i <= 40; ++i) {
+        const double u = 0.75 + 0.002 * i;
+        off = std::max(off, (next_on(straight, u) - next_on(curve, u)).cwiseAbs().maxCoeff());
+        q = next_on(curve, u);
+        low = low.cwiseMin(q);
+        high = high.cwiseMax(q);
+      }
+      const auto proof = inverse::certified::prove_tube(
+          bounds(), proving::way_of(curve, 0), proving::end_of(0.75, row.q), proving::end_of(0.83, q), 400);
+      if (!proof.is_proven()) continue;
+      ++seen;
+      for (int i = 0; i < 6; ++i) {
+        EXPECT_LE(proof.range[static_cast<std::size_t>(i)].lower, low[i]);
+        EXPECT_GE(proof.range[static_cast<std::size_t>(i)].upper, high[i]);
+      }
+      // Such a claim about the straight way is wrong.
+      missed +=
+          static_cast<int>(off > 1e-6 && !inverse::certified::prove_tube(
+                                              bounds(), proving::way_of(straight, 0),
+                                              proving::end_of(0.75, row.q), proving::end_of(0.83, q), 400)
+                                              .is_proven());
+    }
+  }
+  EXPECT_GT(seen, 10);
+  EXPECT_GT(missed, 5);
+}
+
 TEST(PathProof, BadNumbersAreNotProven) {
   std::mt19937 random(5);
   const auto samples = random_path(arm(), random, 2, 0.05);
@@ -145,6 +197,14 @@ TEST(PathProof, BadNumbersAreNotProven) {
     EXPECT_FALSE(tube(other, q, q).is_proven());
     other = way;
     other.way.turn.x() = bad;
+    EXPECT_FALSE(tube(other, q, q).is_proven());
+    other = way;
+    other.way.start = way.way.from;
+    other.way.bend.kind = inverse::certified::WayBend::Kind::corners;
+    other.way.bend.begin = bad;
+    EXPECT_FALSE(tube(other, q, q).is_proven());
+    other.way.bend.begin = 0.5;
+    other.way.bend.a[4] = bad;
     EXPECT_FALSE(tube(other, q, q).is_proven());
   }
 }

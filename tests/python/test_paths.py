@@ -62,6 +62,29 @@ def test_least_times_keep_speeds_and_the_fastest_motion_is_named(ns):
     assert ns.paths(poses_of(ns), limits=None).fastest is None
 
 
+@compiles
+def test_tolerances_are_kept(ns):
+    poses = poses_of(ns)
+    found = ns.paths(poses, limits=None, free={"cone_z": 0.1, "tool_z": None, "shift_x": (-0.001, 0.002)})
+    assert found.whole == [0]
+    motion, reached = found.motions[0], ns.forward_kinematics(found.motions[0].q)
+    assert motion.values.shape == (30, 4) and np.all(np.hypot(motion.values[:, 0], motion.values[:, 1]) <= 0.1)
+    rotations = [qvgen.orientation.matrix(each[:, :4]) for each in (poses, reached)]
+    angles = np.arccos(np.clip(np.sum(rotations[0][:, :, 2] * rotations[1][:, :, 2], axis=1), -1, 1))
+    assert np.max(angles) <= 0.1 + 1e-7
+    ways = np.einsum("nij,ni->nj", rotations[0], reached[:, 4:] - poses[:, 4:])
+    np.testing.assert_allclose(ways, motion.values[:, [3]] * [1, 0, 0], atol=1e-9)
+    assert np.all(motion.values[:, 3] >= -0.001) and np.all(motion.values[:, 3] <= 0.002)
+
+
+def test_bad_tolerances_get_a_sentence(ns):
+    poses = poses_of(ns, 5)
+    for free, words in (({"cone_z": None}, "tolerance is missing"), ({"shift_x": (1e-3, -1e-3)}, "above the upper"),
+                        ({"shift_x": np.nan}, "no number"), ({"cone_z": 15}, "degrees"), ({"shift_x": (0, 1, 2)}, "a range has two")):
+        with pytest.raises(ValueError, match=words):
+            ns.paths(poses, free=free)
+
+
 def test_bad_input_gets_a_sentence(ns, arm):
     poses = poses_of(ns, 5)
     for bad, words in ((poses[:, :6], "shape"), (poses[:0], "shape"), (poses * 2, "quaternion")):

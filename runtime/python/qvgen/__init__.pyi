@@ -241,7 +241,8 @@ class Robot(Protocol):
         metres_per_radian: float = 0.0, limits: _Limits = None, starts: int = 32, geometry: _Constants = None,
     ) -> NearestRows: ...
     def paths(
-        self, poses: ArrayLike, *, free: str | None = None, hold: Mapping[str, float] | None = None,
+        self, poses: ArrayLike, *, free: str | Mapping[str, float | tuple[float, float] | None] | None = None,
+        hold: Mapping[str, float] | None = None,
         limits: _Limits = "description", times: ArrayLike | None = None, screw: bool = False,
         prefer: ArrayLike | None = None, prove: bool = False, time: ArrayLike | None = None,
         joint_speeds: ArrayLike | None = None, spline: bool = False, blend: float | None = None,

@@ -22,7 +22,7 @@ class Motion(typing.NamedTuple):
     ends: str  #: why, likewise
     branches: list  #: numbers along it; empty for arms by elimination
     turns: float  #: choices of whole turns within limits that give this motion
-    values: typing.Any  #: (n,), what the free coordinate is, rad or m; None without one
+    values: typing.Any  #: (n,), what the free coordinate is, rad or m, (n, k) of several; None without one
     gaps: typing.Any  #: stretches (from, to) that are not proven; None without a proof
     t: typing.Any = None  #: (n,), s, at these places: least times with `time`, else the poses' `times`; None without
     overload: typing.Any = None  #: (joint, s, torque): the joint that cannot bear its load, for which there is no least time
@@ -45,7 +45,9 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
 
     `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
     `free`: "tool_x", "tool_y", "tool_z", "rail_x", "rail_y", "rail_z", "arm_angle" or a joint: the best motion, near to the
-    joints `prefer` if there are any; `free_range`: (lower, upper) of it. `screw`: screw motions between the poses, not straight
+    joints `prefer` if there are any; `free_range`: (lower, upper) of it. Several, and tolerances, as a dictionary of what is
+    free and its range, one number for both sides, or None: {"tool_z": None, "cone_z": 0.2, "shift_x": (-0.001, 0.002)}; also
+    "base_x" to "base_z". A cone's half angle has two values, tilts about the other two axes, rad. `screw`: screw motions between the poses, not straight
     lines; `spline`: a cubic spline through them; `blend`: straight lines with corners rounded from so many metres before them.
     `prove`: each motion is proven, and that there is no other. `time`: largest joint accelerations, rad/s^2 or m/s^2, one or
     one for each: each motion gets its least times, from rest to rest, under these and the joints' speeds, the description's or
@@ -70,7 +72,7 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
             raise ValueError(done.stderr.strip().replace(str(folder) + "/", ""))
         rows = _read(folder / "out.csv")
         if free:
-            return _best(rows, times, len(poses))
+            return _best(rows, times, len(poses), robot.dof)
         return _all(rows, folder / "out.json", robot, hold or {}, times is not None or time is not None)
 
 
@@ -125,9 +127,21 @@ def _options(robot, free, hold, limits, screw, prefer, prove):
     chosen = _limits_of(robot, limits)
     for name, value in (hold or {}).items():
         chosen += ["--hold", f"{name}={float(value)!r}"]
-    chosen += ["--free", free] if free else []
+    chosen += ["--free=" + ",".join(_free_words(free))] if free else []
     chosen += ["--prefer=" + ",".join(repr(float(each)) for each in prefer)] if prefer is not None else []
     return chosen + ["--screw"] * bool(screw) + ["--prove"] * bool(prove)
+
+
+def _free_words(free):
+    if isinstance(free, str):
+        return [free]
+    words = []
+    for name, ends in free.items():
+        numbers = [] if ends is None else [f"{float(each)!r}" for each in _numpy().atleast_1d(ends)]
+        if len(numbers) > 2:
+            raise ValueError(f"{name}: {len(numbers)} numbers; a range has two, rad or m")
+        words.append(name + "=" * bool(numbers) + ":".join(numbers))
+    return words
 
 
 def _numbers(option, values):
@@ -176,11 +190,12 @@ def _with_held(q, joints, robot, hold):
     return _numpy().stack([_numpy().broadcast_to(each, len(q)) for each in columns], axis=1)
 
 
-def _best(rows, times, count):
+def _best(rows, times, count, dof):
     if len(rows) == 0:
         return Paths([], [], [], [(0, count - 1)])
     first = 1 + (times is not None)
     is_whole = len(rows) == count
-    motion = Motion(rows[:, 0], rows[:, first + 1:], "path_end", "path_end" if is_whole else "unclear", [], 1, rows[:, first], None,
-                    None if times is None else rows[:, 1])
+    values = rows[:, first:-dof]
+    motion = Motion(rows[:, 0], rows[:, -dof:], "path_end", "path_end" if is_whole else "unclear", [], 1,
+                    values[:, 0] if values.shape[1] == 1 else values, None, None if times is None else rows[:, 1])
     return Paths([motion], [0] if is_whole else [], [], [] if is_whole else [(rows[-1, 0], count - 1)])

@@ -29,19 +29,29 @@ Matrix turn_about(const Vector3<double>& vector, const Interval& u) {
 }  // namespace
 
 Goals::Goals(const Arm& arm, const Way& way)
-    : way_(way), loop_(loop_of(arm, way.from)), start_(turn_of(way.from)), end_(turn_of(way.to)) {}
+    : way_(way),
+      loop_(loop_of(arm, way.from)),
+      start_(turn_of(way.from)),
+      end_(turn_of(way.to)),
+      base_(way.is_bent() ? turn_of(way.start) : start_),
+      base_place_(vector_of(way.is_bent() ? way.start.position : way.from.position)) {}
 
 const Loop& Goals::to(double from, double to) {
   const Interval u(from, to);
   const Matrix turn = turn_about(way_.turn, u);
-  loop_.goal = turn * start_;
-  Vector place = vector_of(way_.from.position);
+  loop_.goal = turn * base_;
+  Vector place = base_place_;
   if (way_.winds) {
     const Vector centre = vector_of(way_.centre);
     place = sum(centre, turn * sum(place, negative(centre)));
   }
   for (std::size_t i = 0; i < 3; ++i)
     loop_.goal_place[i] = place[i] + u * Interval(way_.move[static_cast<Eigen::Index>(i)]);
+  if (way_.is_bent()) {
+    const Offset offset = offset_of(way_.bend, u);
+    loop_.goal = exponential(offset.turn) * loop_.goal;
+    loop_.goal_place = sum(loop_.goal_place, offset.move);
+  }
   if (from == 0) include_goal(loop_, start_, vector_of(way_.from.position));
   if (to == 1) include_goal(loop_, end_, vector_of(way_.to.position));
   return loop_;
@@ -68,7 +78,8 @@ void include_goal(Loop& loop, const Matrix& turn, const Vector& place) {
 
 bool is_moderate(const Arm& arm, const Way& way) {
   return is_moderate(arm, way.from) && is_moderate(arm, way.to) && way.turn.norm() < 4 &&
-         way.move.norm() < 1e6 && way.centre.norm() < 1e6;
+         way.move.norm() < 1e6 && way.centre.norm() < 1e6 &&
+         (!way.is_bent() || (is_moderate(arm, way.start) && is_moderate(way.bend)));
 }
 
 }  // namespace qvgen::inverse::certified

@@ -3,6 +3,7 @@
 
 #include <qvgen/inverse/certified/tube.h>
 
+#include "bent.h"
 #include "closure.h"
 
 /// The poses of a way as the goal of a loop: bounds of all poses of a stretch take the place of one pose.
@@ -23,7 +24,9 @@ class Goals {
 
   const Way& way_;
   Loop loop_;
-  Matrix start_, end_;  ///< turns of both samples
+  Matrix start_, end_;  ///< turns of both ends
+  Matrix base_;         ///< turn with which the way begins before it is bent
+  Vector base_place_;
 };
 
 /// Widens the goal of a loop by poses.

@@ -69,6 +69,7 @@ class Piece {
   [[nodiscard]] const Vector3<double>& move() const { return move_; }
   [[nodiscard]] const Vector3<double>& centre() const { return centre_; }
   [[nodiscard]] bool winds() const { return winds_; }
+  [[nodiscard]] const Bend& bend() const { return bend_; }
   [[nodiscard]] bool is_bent() const { return bend_.kind != Bend::Kind::none; }
   /// True if both ends are the same pose to rounding.
   [[nodiscard]] bool is_point() const { return angle() < least_move && distance() < least_move; }

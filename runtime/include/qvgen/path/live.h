@@ -183,20 +183,26 @@ class Live {
             Point at{guess, place};
             return equations.settle(at) ? at.q : guess;
           },
-          place_.u, to);
+          place_.u, to, &equations);
     row.u = u;
     if (row.track >= 0) widen(record_.track(row.track), u);
   }
 
-  /// Notes each limit between the row's joints and others; `solve` brings joints to the path.
+  /// Notes each limit between the row's joints and others; `solve` brings joints to the path. With equations
+  /// the way has no meeting at its ends.
   template <class Solve>
-  void see_limits(Row& row, const Values& u, const Solve& solve, double from, double to) {
+  void see_limits(Row& row, const Values& u, const Solve& solve, double from, double to,
+                  const Equations<Arm>* equations = nullptr) {
     for (int i = 0; i < 6; ++i) {
       for (int k = 0; k < 64 && is_beyond(row.cell, i, u[i]); ++k) {
         const bool rises = u[i] > row.cell.above[i];
         const double value = rises ? row.cell.above[i] : row.cell.below[i];
-        const double place = root(row.u, u, i, value, solve, from, to);
-        note(row, i, value, rises, place, solve(place, row.u + (place - from) / (to - from) * (u - row.u)));
+        Point at{row.u, from};
+        if (equations == nullptr || !settle_on(*equations, row.u, u, i, value, to, at)) {
+          const double place = root(row.u, u, i, value, solve, from, to);
+          at = {solve(place, row.u + (place - from) / (to - from) * (u - row.u)), place};
+        }
+        note(row, i, value, rises, at.u, at.q);
         limits_.enclose(row.cell, i, value + (rises ? limit_slack : -limit_slack));
       }
     }
@@ -220,6 +226,19 @@ class Live {
       event.q[joint] = value;
       record_.add(event);
     }
+  }
+
+  /// Brings the point, which is at `a`, to where a joint has a value between those of `a` and `b`: all other
+  /// joints and the place are unknown. False if Newton's steps do not lead to a point between them.
+  static bool settle_on(const Equations<Arm>& equations, const Values& a, const Values& b, int joint,
+                        double value, double to, Point& at) {
+    const double share = (value - a[joint]) / (b[joint] - a[joint]), from = at.u;
+    if (!(share > 0 && share < 1)) return false;
+    at = {a + share * (b - a), from + share * (to - from)};
+    at.q[joint] = value;
+    const Values guess = at.q;
+    return equations.settle_across(at, Direction::Unit(joint)) && at.u >= from && at.u <= to &&
+           (at.q - guess).cwiseAbs().maxCoeff() < (b - a).cwiseAbs().maxCoeff();
   }
 
   /// Returns the place where a joint has a value that lies between its values at two places; the first one if

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <qvgen/path/arm.h>
 #include <qvgen/path/curve.h>
+#include <qvgen/path/linear.h>
 
 /// Newton's steps towards a point of the path: at a fixed path coordinate, or along the solution curve, where
 /// joints and path coordinate are seven unknowns of six equations. Along the curve nothing is singular where
@@ -45,7 +45,7 @@ class Equations {
   /// Brings joints to the pose at `at.u`, which stays; false if that takes more than a few steps.
   [[nodiscard]] bool settle(Point& at) const {
     for (int i = 0; i < most_steps; ++i) {
-      const Values step = arm_.jacobian(at.q).partialPivLu().solve(miss(at));
+      const Values step = solved<6>(arm_.jacobian(at.q), miss(at));
       const double size = step.cwiseAbs().maxCoeff();
       if (!(size < longest_step)) return false;
       at.q += step;
@@ -57,10 +57,9 @@ class Equations {
   /// Brings a point to the curve, across the direction; false if that takes more than a few steps.
   [[nodiscard]] bool settle_across(Point& at, const Direction& direction) const {
     for (int i = 0; i < most_steps; ++i) {
-      Eigen::Matrix<double, 7, 7> system = matrix(at, direction);
       Direction right;
       right << miss(at), 0;
-      const Direction step = system.partialPivLu().solve(right);
+      const Direction step = solved<7>(matrix(at, direction), right);
       const double size = step.cwiseAbs().maxCoeff();
       if (!(size < longest_step)) return false;
       at = moved(at, step, 1);
@@ -73,13 +72,13 @@ class Equations {
   [[nodiscard]] Direction direction(const Point& at, const Direction& like) const {
     Direction right = Direction::Zero();
     right[6] = 1;
-    return matrix(at, like).partialPivLu().solve(right).normalized();
+    return solved<7>(matrix(at, like), right).normalized();
   }
 
   /// The direction with a rising or falling path coordinate; joints have to be regular.
   [[nodiscard]] Direction direction(const Point& at, int sense) const {
     Direction result;
-    result << arm_.jacobian(at.q).partialPivLu().solve(piece_.rate(at.u)) * scale_, 1;
+    result << solved<6>(arm_.jacobian(at.q), piece_.rate(at.u)) * scale_, 1;
     return sense * result.normalized();
   }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <qvgen/inverse/certified/tube.h>
 #include <qvgen/path/curve.h>
@@ -22,14 +21,28 @@ struct Proven {
 
 namespace proving {
 
-/// Returns a piece as the proofs take it. They know straight lines and screws: nothing is proven of bent
-/// ways.
+inline inverse::certified::WayBend bend_of(const Bend& bend) {
+  using Kind = inverse::certified::WayBend::Kind;
+  inverse::certified::WayBend result;
+  result.kind = bend.kind == Bend::Kind::spline ? Kind::spline : Kind::corners;
+  std::copy(bend.a.data(), bend.a.data() + 6, result.a.begin());
+  std::copy(bend.b.data(), bend.b.data() + 6, result.b.begin());
+  result.begin = bend.begin;
+  result.end = bend.end;
+  return result;
+}
+
+/// Returns a piece as the proofs take it.
 inline inverse::certified::Way way_of(const Curve& curve, std::size_t i) {
   const Piece piece = curve.piece(i);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  if (piece.is_bent())
-    return {curve.sample(i), curve.sample(i + 1), Vector3<double>::Constant(nan), {}, {}, false};
-  return {curve.sample(i), curve.sample(i + 1), piece.turn(), piece.move(), piece.centre(), piece.winds()};
+  inverse::certified::Way way{curve.sample(i), curve.sample(i + 1), piece.turn(),
+                              piece.move(),    piece.centre(),      piece.winds()};
+  if (!piece.is_bent()) return way;
+  way.start = way.from;
+  way.from = curve.at(static_cast<double>(i));
+  way.to = curve.at(static_cast<double>(i + 1));
+  way.bend = bend_of(piece.bend());
+  return way;
 }
 
 inline inverse::certified::TubeEnd end_of(double u, const Values& q) {

@@ -12,13 +12,29 @@
 /// neighbours belong together because one small box, proven at the place between them, lies in both.
 namespace qvgen::inverse::certified {
 
+/// Offsets that bend a straight way: with d(u) = f(u) a + g(u) b, a move (m) and a rotation vector d_r (rad),
+/// the position is p(u) + d_p(u), the orientation exp(d_r(u)) R(u). Spline: f = u (1 - u)^2, g = -u^2 (1 -
+/// u). Corners: f = max(0, begin - u)^2 / (4 begin), g = max(0, u - 1 + end)^2 / (4 end); zero where the
+/// share is.
+struct WayBend {
+  enum class Kind { none, spline, corners };
+  Kind kind = Kind::none;
+  std::array<double, 6> a{}, b{};
+  double begin = 0, end = 0;  ///< shares of the way that are rounded, at most 1/2
+};
+
 /// The tool's way from one pose to another, u from 0 to 1: with T(u) the turn by the rotation vector u
 /// `turn`, orientation T(u) `from`, position `from` + u `move`; on a screw centre + T(u) (from - centre) + u
-/// `move`. These numbers are exact. Its end and `to` may differ by rounding, which the proof covers.
+/// `move`. These numbers are exact. Its end and `to` may differ by rounding, which the proof covers. Of a
+/// bent way `start` takes the place of `from`, which is where its bent form begins, to rounding.
 struct Way {
   Pose<double> from, to;
   Vector3<double> turn, move, centre;
   bool winds;
+  WayBend bend{};
+  Pose<double> start{};
+
+  [[nodiscard]] bool is_bent() const { return bend.kind != WayBend::Kind::none; }
 };
 
 /// Joint values at a place of the way.
