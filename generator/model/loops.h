@@ -24,7 +24,7 @@ struct Loop {
   LoopType type = LoopType::pin;
   std::array<std::size_t, 2> links{};
   std::array<Vector3, 2> points{};  ///< in the links' frames, m
-  /// Of a pin or a slide, unit vector in the first link's frame; of a pin none: the joints'.
+  /// Unit vector of a pin or a slide in the first link's frame; none: a pin about the joints' axes.
   std::optional<Vector3> axis = {};
   std::vector<Turn> turns = {};  ///< of a weld or a slide: the second link's frame as seen from the first
   Expression length = {};        ///< of a rod, m

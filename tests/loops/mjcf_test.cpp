@@ -42,7 +42,7 @@ const std::string crank = body("crank", "pos='0 0 1' euler='1.5707963267948966 0
 const std::string connected =
     mjcf(crank + body("rocker", "pos='1 0 1' euler='1.5707963267948966 0 0'", hinge),
          "<connect body1='coupler' body2='rocker' anchor='0.5 0.75 0'/>", "crank");
-/// The same with a weld in place of the coupler's other pin.
+/// The four-bar with a weld in place of the coupler's other pin.
 const std::string welded = mjcf(crank + body("rocker", "pos='1 0 1' euler='1.5707963267948966 0 0'", hinge,
                                              body("end", "pos='0.2 0.7 0'", hinge)),
                                 "<weld body1='coupler' body2='end'/>", "crank");
@@ -194,7 +194,7 @@ TEST(DrivenJoints, AreFoundWhereThereIsNoChoice) {
   const auto bar = verify::driven_choices(mechanism_of(connected));
   EXPECT_EQ(bar.free, 1U);
   EXPECT_EQ(bar.choices, (std::vector<std::vector<std::size_t>>{{0}, {1}, {2}}));
-  // Of a triangle with a wheel on it only the wheel moves.
+  // A triangle with a wheel on it: only the wheel moves.
   const auto triangle = verify::driven_choices(mechanism_of(
       mjcf(body("a", "", hinge, body("wheel", "pos='0.2 0 0'", hinge)) + body("b", "pos='1 0 0'", slide),
            "<weld body1='a' body2='b'/>")));

@@ -39,7 +39,7 @@ class Equations {
   [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }
 
  private:
-  /// Of a weld or a slide: the way between the links, not that along the slide, and how they are turned.
+  /// Gaps of a weld or a slide: the way between the links, not that along the slide, and how they are turned.
   static std::vector<ex> gaps_of_rigid(const Carrier& carrier, const Cycle& cycle, const Vector& way) {
     std::vector<std::array<Vector, 2>> seen;
     for (const auto& [first, second] : cycle.directions)
