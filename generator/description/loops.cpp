@@ -173,6 +173,9 @@ model::Loop read_loop(const Table& table, const LoopNames& names) {
   return loop;
 }
 
+namespace {
+
+/// Indices of the joints that a list names, each once.
 std::vector<std::size_t> read_joint_list(const Table& root, const std::string& key, const LoopNames& names) {
   const toml::node* node = root.find(key);
   if (node == nullptr) return {};
@@ -182,10 +185,9 @@ std::vector<std::size_t> read_joint_list(const Table& root, const std::string& k
     report_type(context, *node, "'" + key + "'", "a list of variables of joints");
     return {};
   }
-  const std::string told = names.links_are_joints() ? names.told : "joint that moves and is called";
   std::vector<std::size_t> joints;
   for (const toml::node& element : *array) {
-    const auto joint = place_in(context, element, names.joints, told, "name the variables of joints");
+    const auto joint = place_in(context, element, names.joints, names.told, "name the variables of joints");
     if (!joint) continue;
     if (std::find(joints.begin(), joints.end(), *joint) != joints.end())
       context.error(begin_of(element.source()), "'" + key + "' names this joint twice", "name it once");
@@ -193,8 +195,6 @@ std::vector<std::size_t> read_joint_list(const Table& root, const std::string& k
   }
   return joints;
 }
-
-namespace {
 
 /// The length of a rod is no turn; a link behind the last joint is the base.
 void check_joints(const Table& table, const model::Robot& robot, model::Loop& loop) {

@@ -12,8 +12,6 @@ struct LoopNames {
   std::vector<std::string> links, joints;
   std::string told;  ///< how a message calls a link
   std::string hint;  ///< how a link is called
-
-  [[nodiscard]] bool links_are_joints() const { return links.size() == joints.size() + 1; }
 };
 
 /// Returns the [[loop]] tables; too many are reported.
@@ -22,9 +20,6 @@ std::vector<Table> loop_tables(const Table& root);
 /// Reads a [[loop]]; links and joints are places among the names. Names that are unknown and a loop within
 /// one link are reported with their place.
 model::Loop read_loop(const Table& table, const LoopNames& names);
-
-/// Reads a list of joints, as places among the names; none if the key is not there.
-std::vector<std::size_t> read_joint_list(const Table& root, const std::string& key, const LoopNames& names);
 
 /// Reads `[[loop]]`, `actuated` and `outputs` into the mechanism, whose joints are known. Links that are
 /// unknown, a loop within one link and joints that are named twice are reported with their place.

@@ -150,6 +150,7 @@ std::string Solver::weld(const Cycle& cycle) {
     const std::string because = weld_cut_at(cycle, at);
     if (because.empty()) return "";
     if (problem.empty()) problem = because;
+    if (unknown(cycle).size() != open.size()) break;  // some of it is solved: no other way is left
   }
   return problem;
 }
