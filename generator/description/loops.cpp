@@ -13,7 +13,6 @@
 namespace qvgen::description {
 namespace {
 
-constexpr std::size_t most_loops = 32;
 const std::string base_name = "base";
 
 /// Place of a name in a list; reported with `told` and a hint if it is not there.

@@ -14,6 +14,9 @@ struct LoopNames {
   std::string hint;  ///< how a link is called
 };
 
+/// The largest number of loops of a robot.
+inline constexpr std::size_t most_loops = 32;
+
 /// Returns the [[loop]] tables; too many are reported.
 std::vector<Table> loop_tables(const Table& root);
 

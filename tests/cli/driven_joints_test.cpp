@@ -61,7 +61,7 @@ TEST_F(CommandLine, DrivesWhatAnOptionNamesInAnMjcf) {
   const ToolRun wrong = run("check " + file + " --actuated aa");
   EXPECT_EQ(wrong.code, 3);
   EXPECT_TRUE(has(wrong, "there is no joint 'aa' that moves; did you mean 'a'?")) << wrong.output;
-  // What is written is read again, with the same loops.
+  // The written description is read again, with its loops.
   const ToolRun written = run("import " + file + " --actuated a > " + folder.string() + "/bar.toml");
   EXPECT_EQ(written.code, 0) << written.output;
   EXPECT_TRUE(

@@ -189,7 +189,16 @@ TEST(MjcfLoops, MistakesComeWithTheirPlaces) {
               HasSubstr("a joint that follows another beside loops"));
 }
 
-/// A five-bar has two motors; which ones is a choice. A four-bar that turns about one axis has none.
+/// A hostile file is refused before any of its loops is read.
+TEST(MjcfLoops, AreNotTooMany) {
+  std::string many;
+  for (int i = 0; i < 1000; ++i) many += "<connect body1='a' body2='b' anchor='0 0 0'/>\n";
+  EXPECT_EQ(
+      first_error(mjcf(body("a", "", hinge) + body("b", "pos='1 0 0'", hinge), many)),
+      "m.xml:40:1: error: 1000 loops are too many; a robot has at most 32; --tip reads a chain without them");
+}
+
+/// A four-bar can be driven at each of its joints; where one moves alone there is no choice.
 TEST(DrivenJoints, AreFoundWhereThereIsNoChoice) {
   const auto bar = verify::driven_choices(mechanism_of(connected));
   EXPECT_EQ(bar.free, 1U);

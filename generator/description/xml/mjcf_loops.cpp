@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "description/loops.h"
 #include "description/names.h"
 #include "description/xml/mjcf_numbers.h"
 
@@ -26,6 +27,12 @@ class LoopReader {
 
   std::vector<Closure> closures(const std::vector<Element>& elements) {
     std::vector<Closure> result;
+    if (elements.size() > most_loops) {
+      context_->error(
+          elements[most_loops].place, std::to_string(elements.size()) + " loops are too many",
+          "a robot has at most " + std::to_string(most_loops) + "; --tip reads a chain without them");
+      return result;
+    }
     for (const Element& element : elements)
       if (const auto closure = closure_of(element)) result.push_back(*closure);
     return result;
