@@ -111,7 +111,7 @@ void close_loops(Context& context, const std::vector<Node>& nodes, TreeReader& r
   mechanism.loops.outputs = closing.joints_of(loops.outputs, false);
   for (const Follower& follower : context.followers)
     context.error(follower.place, "a joint that follows another beside loops",
-                  "give it a value of its own, or leave the loops out");
+                  "give it a value of its own, or leave the loops out: --tip reads a chain");
 }
 
 }  // namespace qvgen::description::tree
