@@ -28,6 +28,7 @@ std::string origin_options(const description::ReadOptions& options) {
   add("--tips", joined(options.tips));
   if (options.floating) text += " --floating";
   add("--fixed", joined(options.fixed));
+  add("--actuated", joined(options.actuated));
   for (const std::string& argument : options.xacro_arguments) add("--xacro-arg", argument);
   return text;
 }

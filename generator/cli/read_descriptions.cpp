@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/driven_joints.h"
 #include "pipeline/files.h"
 #include "pipeline/parallel.h"
 #include "toolchain/xacro.h"
@@ -135,8 +136,10 @@ std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::p
   std::vector<ReadResult> results;
   for (std::size_t i = 0; i < paths.size(); ++i) results.push_back(result_of(paths[i], options, outcomes[i]));
   bool good = true;
-  for (const auto& result : results) {
+  for (ReadResult& result : results) {
+    const std::string choices = find_driven_joints(result);
     print_diagnostics(result.diagnostics);
+    if (!choices.empty()) fmt::print(stderr, "{}\n", choices);
     good = good && !has_error(result.diagnostics) && result.robot.has_value();
   }
   const auto clashes = description::check_together(results);

@@ -65,6 +65,12 @@ void add_tips(CLI::App& command, description::ReadOptions& options) {
           "URDF, MJCF: the whole robot, whose base moves freely: the body with a free joint, else --base, "
           "else the root")
       ->excludes("--tip");
+  command
+      .add_option("--actuated", options.actuated,
+                  "MJCF with loops: the joints with motors, in place of those that its actuators drive")
+      ->type_name("JOINTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
 }
 
 }  // namespace qvgen::cli

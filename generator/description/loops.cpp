@@ -2,39 +2,45 @@
 #include "description/loops.h"
 
 #include <algorithm>
+#include <map>
 
 #include "description/entries.h"
 #include "description/frames.h"
 #include "description/names.h"
+#include "description/tree/tree.h"
 #include "model/evaluate.h"
 
 namespace qvgen::description {
 namespace {
 
-constexpr std::size_t most_loops = 32;
 const std::string base_name = "base";
 
-/// The index of a joint by its variable; reported if there is none.
-std::optional<std::size_t> joint_of(Context& context, const toml::node& node, const model::Robot& robot,
-                                    bool takes_base) {
+/// Place of a name in a list; reported with `told` and a hint if it is not there.
+std::optional<std::size_t> place_in(Context& context, const toml::node& node,
+                                    const std::vector<std::string>& names, const std::string& told,
+                                    const std::string& hint) {
   const auto name = node.value_exact<std::string>();
   if (!name) {
-    report_type(context, node, "the name of a link", "the variable of the joint that moves it, in quotes");
+    report_type(context, node, "a name", hint + ", in quotes");
     return std::nullopt;
   }
-  if (takes_base && *name == base_name) return model::base_link;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (robot.joints[i].variable == *name) return i;
-    names.push_back(robot.joints[i].variable);
-  }
-  if (takes_base) names.push_back(base_name);
-  const std::string near = nearest(*name, names);
-  context.error(begin_of(node.source()), "there is no joint with the variable '" + *name + "'",
-                !near.empty() ? "did you mean '" + near + "'?"
-                : takes_base  ? "a link is called by the variable of the joint that moves it, or \"base\""
-                              : "name the variables of joints");
+  const auto found = std::find(names.begin(), names.end(), *name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string near = names.size() < tree::many_names ? nearest(*name, names) : "";
+  context.error(begin_of(node.source()), "there is no " + told + " '" + *name + "'",
+                near.empty() ? hint : "did you mean '" + near + "'?");
   return std::nullopt;
+}
+
+/// The variables of a robot's joints, by which its links are called too, and the base.
+LoopNames names_of(const model::Robot& robot) {
+  LoopNames names;
+  for (const model::Joint& joint : robot.joints) names.joints.push_back(joint.variable);
+  names.links = names.joints;
+  names.links.push_back(base_name);
+  names.told = "joint with the variable";
+  names.hint = "a link is called by the variable of the joint that moves it, or \"base\"";
+  return names;
 }
 
 /// An array of that many entries, or nothing and a report.
@@ -52,13 +58,13 @@ const toml::array* array_of(const Table& table, const std::string& key, std::siz
   return array;
 }
 
-void read_links(const Table& table, const model::Robot& robot, model::Loop& loop) {
+void read_links(const Table& table, const LoopNames& names, model::Loop& loop) {
   Context& context = table.context();
   const toml::array* between = array_of(table, "between", 2, "[\"theta1\", \"theta2\"]");
   if (between == nullptr) return;
   bool known = true;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto link = joint_of(context, *between->get(i), robot, true);
+    const auto link = place_in(context, *between->get(i), names.links, names.told, names.hint);
     known = known && link.has_value();
     loop.links.at(i) = link.value_or(model::base_link);
   }
@@ -92,14 +98,19 @@ void read_points(const Table& table, model::Loop& loop) {
 }
 
 void read_type(const Table& table, model::Loop& loop) {
-  table.require("type", "type = \"pin\", \"ball\" or \"rod\"");
+  using model::LoopType;
+  static const std::map<std::string, LoopType> types{{"pin", LoopType::pin},
+                                                     {"ball", LoopType::ball},
+                                                     {"rod", LoopType::rod},
+                                                     {"weld", LoopType::weld},
+                                                     {"slide", LoopType::slide}};
+  table.require("type", "type = \"pin\", \"ball\", \"rod\", \"weld\" or \"slide\"");
   const std::string type = table.text("type").value_or("pin");
-  if (type == "pin") loop.type = model::LoopType::pin;
-  if (type == "ball") loop.type = model::LoopType::ball;
-  if (type == "rod") loop.type = model::LoopType::rod;
-  if (type != "pin" && type != "ball" && type != "rod")
+  const auto found = types.find(type);
+  if (found != types.end()) loop.type = found->second;
+  if (found == types.end())
     table.context().error(table.place_of("type"), "unknown type of loop '" + type + "'",
-                          "write pin, ball or rod; a weld is a link of the tree, a slide a prismatic joint");
+                          "write pin, ball, rod, weld or slide");
 }
 
 /// A key that belongs to another type of loop.
@@ -108,24 +119,19 @@ void refuse_key(const Table& table, const std::string& key, const std::string& o
     table.context().error(table.key_place(key), "'" + key + "' belongs to " + of, "leave it out");
 }
 
-/// True if the length of a rod is the value of a slide, by its variable; one of another joint is reported.
-bool reads_length_joint(const Table& table, const model::Robot& robot, model::Loop& loop) {
+/// True if the length of a rod is the value of a joint, by its name.
+bool reads_length_joint(const Table& table, const LoopNames& names, model::Loop& loop) {
   const toml::node* node = table.find("length");
   const auto name = node == nullptr ? std::nullopt : node->value_exact<std::string>();
-  for (std::size_t i = 0; name && i < robot.joints.size(); ++i) {
-    if (robot.joints[i].variable != *name) continue;
-    loop.length_joint = i;
-    if (robot.joints[i].type != model::JointType::prismatic)
-      table.context().error(table.place_of("length"), "joint " + *name + " turns: it is no length",
-                            "name a prismatic joint, whose value is the length of the rod, or a number");
-    return true;
-  }
-  return false;
+  const auto found = name ? std::find(names.joints.begin(), names.joints.end(), *name) : names.joints.end();
+  if (found == names.joints.end()) return false;
+  loop.length_joint = static_cast<std::size_t>(found - names.joints.begin());
+  return true;
 }
 
-void read_length(const Table& table, const model::Robot& robot, model::Loop& loop) {
+void read_length(const Table& table, const LoopNames& names, model::Loop& loop) {
   if (loop.type != model::LoopType::rod) return refuse_key(table, "length", "a rod");
-  if (reads_length_joint(table, robot, loop)) return;
+  if (reads_length_joint(table, names, loop)) return;
   table.require("length", "length = 0.4, between its two points");
   const Entry length = in_metres(table.context(), entry_or_zero(table, "length", {}));
   check_length(table.context(), length, "length");
@@ -137,24 +143,39 @@ void read_length(const Table& table, const model::Robot& robot, model::Loop& loo
 }
 
 void read_loop_axis(const Table& table, model::Loop& loop) {
-  if (loop.type != model::LoopType::pin) return refuse_key(table, "axis", "a pin");
+  const bool slides = loop.type == model::LoopType::slide;
+  if (loop.type != model::LoopType::pin && !slides) return refuse_key(table, "axis", "a pin or a slide");
+  if (slides)
+    table.require("axis", "axis = \"+x\", along which the second link slides in the first one's frame");
   if (const toml::node* axis = table.find("axis")) loop.axis = read_axis(table.context(), *axis);
 }
 
-model::Loop read_loop(const Table& table, const model::Robot& robot) {
-  table.allow_only({"type", "between", "at", "axis", "length"});
+/// How the second link of a weld or a slide is turned as seen from the first.
+void read_loop_turns(const Table& table, model::Loop& loop) {
+  if (loop.type == model::LoopType::weld || loop.type == model::LoopType::slide)
+    loop.turns = read_turns(table);
+  else
+    for (const char* key : {"rpy", "turns"}) refuse_key(table, key, "a weld or a slide");
+}
+
+}  // namespace
+
+model::Loop read_loop(const Table& table, const LoopNames& names) {
+  table.allow_only({"type", "between", "at", "axis", "length", "rpy", "turns"});
   model::Loop loop;
   read_type(table, loop);
-  read_links(table, robot, loop);
+  read_links(table, names, loop);
   read_points(table, loop);
-  read_length(table, robot, loop);
+  read_length(table, names, loop);
   read_loop_axis(table, loop);
+  read_loop_turns(table, loop);
   return loop;
 }
 
+namespace {
+
 /// Indices of the joints that a list names, each once.
-std::vector<std::size_t> read_joint_list(const Table& root, const std::string& key,
-                                         const model::Robot& robot) {
+std::vector<std::size_t> read_joint_list(const Table& root, const std::string& key, const LoopNames& names) {
   const toml::node* node = root.find(key);
   if (node == nullptr) return {};
   Context& context = root.context();
@@ -165,13 +186,23 @@ std::vector<std::size_t> read_joint_list(const Table& root, const std::string& k
   }
   std::vector<std::size_t> joints;
   for (const toml::node& element : *array) {
-    const auto joint = joint_of(context, element, robot, false);
+    const auto joint = place_in(context, element, names.joints, names.told, "name the variables of joints");
     if (!joint) continue;
     if (std::find(joints.begin(), joints.end(), *joint) != joints.end())
       context.error(begin_of(element.source()), "'" + key + "' names this joint twice", "name it once");
     joints.push_back(*joint);
   }
   return joints;
+}
+
+/// The length of a rod is no turn; a link behind the last joint is the base.
+void check_joints(const Table& table, const model::Robot& robot, model::Loop& loop) {
+  for (std::size_t& link : loop.links)
+    if (link == robot.joints.size()) link = model::base_link;
+  if (!loop.length_joint || robot.joints[*loop.length_joint].type == model::JointType::prismatic) return;
+  table.context().error(table.place_of("length"),
+                        "joint " + robot.joints[*loop.length_joint].variable + " turns: it is no length",
+                        "name a prismatic joint, whose value is the length of the rod, or a number");
 }
 
 /// Requests of a chain and joints that follow others have no meaning yet beside loops.
@@ -188,9 +219,16 @@ void refuse_beside_loops(const Table& root) {
 
 }  // namespace
 
+std::vector<Table> loop_tables(const Table& root) {
+  std::vector<Table> tables = root.tables("loop");
+  if (tables.size() <= most_loops) return tables;
+  root.context().error(tables[most_loops].place(), std::to_string(tables.size()) + " loops are too many",
+                       "a robot has at most " + std::to_string(most_loops));
+  return {};
+}
+
 void read_loops(const Table& root, model::Mechanism& mechanism) {
   Context& context = root.context();
-  const model::Robot& robot = mechanism.robot;
   model::Loops& loops = mechanism.loops;
   if (!root.has("loop")) {
     for (const char* key : {"actuated", "outputs"})
@@ -199,17 +237,14 @@ void read_loops(const Table& root, model::Mechanism& mechanism) {
                       "all joints of a tree are driven; a loop makes some of them passive");
     return;
   }
-  const std::vector<Table> tables = root.tables("loop");
-  if (tables.size() > most_loops) {
-    context.error(tables[most_loops].place(), std::to_string(tables.size()) + " loops are too many",
-                  "a robot has at most " + std::to_string(most_loops));
-    return;
+  const LoopNames names = names_of(mechanism.robot);
+  for (const Table& table : loop_tables(root)) {
+    loops.closures.push_back(read_loop(table, names));
+    check_joints(table, mechanism.robot, loops.closures.back());
   }
-  for (const Table& table : tables) loops.closures.push_back(read_loop(table, robot));
   refuse_beside_loops(root);
-  root.require("actuated", "actuated = [\"theta1\"], the variables of the joints that are driven");
-  loops.actuated = read_joint_list(root, "actuated", robot);
-  loops.outputs = read_joint_list(root, "outputs", robot);
+  loops.actuated = read_joint_list(root, "actuated", names);
+  loops.outputs = read_joint_list(root, "outputs", names);
 }
 
 }  // namespace qvgen::description

@@ -8,6 +8,7 @@
 #include "description/names.h"
 #include "description/physics.h"
 #include "description/plain_text.h"
+#include "description/robot_file.h"
 #include "description/robot_table.h"
 #include "description/size_limits.h"
 #include "description/tree/tree.h"
@@ -108,6 +109,13 @@ void take_limb(Context& context, model::Mechanism& mechanism) {
                 near.empty() ? "name a tip of the file" : "did you mean '" + near + "'?");
 }
 
+/// Reads a file that lists the loops of a URDF.
+ReadResult read_beside_urdf(Context& context, const Table& root) {
+  model::Mechanism mechanism = read_robot_file(root);
+  rename(context, mechanism.robot);
+  return finished(context, root.place_of(root.has("name") ? "name" : "robot"), std::move(mechanism));
+}
+
 ReadResult read_toml(Context& context, std::string_view text) {
   if (text.size() > max_bytes) {
     return failed(context, {}, "the file has " + std::to_string(text.size()) + " bytes",
@@ -120,6 +128,7 @@ ReadResult read_toml(Context& context, std::string_view text) {
   try {
     const toml::table document = toml::parse(text);
     const Table root(context, document, "the file");
+    if (root.has("robot")) return read_beside_urdf(context, root);
     model::Mechanism mechanism = read_robot(root);
     const ReadOptions& options = context.options;
     if (mechanism.tips.empty() ? !options.base.empty() || !options.tip.empty() : !options.base.empty())

@@ -57,7 +57,8 @@ struct ReadOptions {
   /// Links at which limbs end, for a whole tree in place of a chain; `every_tip` alone: all ends of the tree.
   std::vector<std::string> tips = {};
   bool floating = false;  ///< the base moves freely: a whole tree, with all tips if none is named
-  std::vector<std::string> fixed = {};  ///< joints that are held at zero
+  std::vector<std::string> fixed = {};     ///< joints that are held at zero
+  std::vector<std::string> actuated = {};  ///< joints with motors, where the file closes loops
   SnapOptions snap = {};
   // For who reads files: what xacro is given, and where packages are.
   std::vector<std::string> xacro_arguments = {};

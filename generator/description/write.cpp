@@ -204,13 +204,16 @@ std::string request_text(const model::Robot& robot) {
 
 }  // namespace
 
-std::string write_text(const model::Robot& robot) {
+namespace {
+
+/// The description of a robot; `keys` stand in front of all tables.
+std::string text_of(const model::Robot& robot, const std::string& keys) {
   std::string result =
       "# Lengths in metres, angles in radians unless they say deg, masses in kilograms; every number is "
       "exact.\n";
   result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
-  result += request_text(robot) + parameters_text(robot);
+  result += keys + request_text(robot) + parameters_text(robot);
   result += table("base", robot.base) + table("tool", robot.tool) + floating_base_text(robot);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
   for (const model::Motor& motor : robot.motors) result += motor_text(motor);
@@ -218,9 +221,45 @@ std::string write_text(const model::Robot& robot) {
   return result;
 }
 
+std::string link_text(const model::Robot& robot, std::size_t link) {
+  return quoted(link == model::base_link ? "base" : robot.joints[link].variable);
+}
+
+std::string length_text(const model::Robot& robot, const model::Loop& loop) {
+  if (loop.type != model::LoopType::rod) return "";
+  return "length = " +
+         (loop.length_joint ? quoted(robot.joints[*loop.length_joint].variable) : text(loop.length)) + "\n";
+}
+
+std::string loop_text(const model::Robot& robot, const model::Loop& loop) {
+  static constexpr const char* types[]{"pin", "ball", "rod", "weld", "slide"};
+  const bool is_turned = loop.type == model::LoopType::weld || loop.type == model::LoopType::slide;
+  return "\n[[loop]]\ntype = " + quoted(types[static_cast<int>(loop.type)]) + "\nbetween = [" +
+         link_text(robot, loop.links[0]) + ", " + link_text(robot, loop.links[1]) + "]\nat = [" +
+         list(loop.points[0]) + ", " + list(loop.points[1]) + "]\n" + length_text(robot, loop) +
+         (loop.axis ? "axis = " + quoted_axis(*loop.axis) + "\n" : "") +
+         (is_turned && !loop.turns.empty() ? "turns = " + turns_text(loop.turns) + "\n" : "");
+}
+
+/// A list of joints by their variables; nothing if it is empty.
+std::string joints_text(const model::Robot& robot, const std::string& key,
+                        const std::vector<std::size_t>& joints) {
+  std::string names;
+  for (const std::size_t joint : joints)
+    names += (names.empty() ? "" : ", ") + quoted(robot.joints[joint].variable);
+  return names.empty() ? "" : key + " = [" + names + "]\n";
+}
+
+}  // namespace
+
+std::string write_text(const model::Robot& robot) { return text_of(robot, ""); }
+
 std::string write_text(const model::Mechanism& mechanism) {
-  std::string result = write_text(mechanism.robot);
-  for (const model::Frame& tip : mechanism.tips) result += named_frame_text(mechanism.robot, tip, "tip");
+  const auto& [robot, tips, loops] = mechanism;
+  std::string result = text_of(
+      robot, joints_text(robot, "actuated", loops.actuated) + joints_text(robot, "outputs", loops.outputs));
+  for (const model::Frame& tip : tips) result += named_frame_text(robot, tip, "tip");
+  for (const model::Loop& loop : loops.closures) result += loop_text(robot, loop);
   return result;
 }
 

@@ -14,16 +14,20 @@ namespace qvgen::model {
 enum class LoopType {
   pin,   ///< a point is common to both links, and an axis through it
   ball,  ///< a point is common to both links
-  rod    ///< two points keep their distance
+  rod,   ///< two points keep their distance
+  weld,  ///< the links are one
+  slide  ///< links that slide along each other: a line is common to both, and the links do not turn about it
 };
 
 /// A closure of a loop. A link is called by the index of the joint that moves it, or `base_link`.
 struct Loop {
   LoopType type = LoopType::pin;
   std::array<std::size_t, 2> links{};
-  std::array<Vector3, 2> points{};   ///< in the links' frames, m
-  std::optional<Vector3> axis = {};  ///< of a pin, unit vector in the first link's frame; none: the joints'
-  Expression length = {};            ///< of a rod, m
+  std::array<Vector3, 2> points{};  ///< in the links' frames, m
+  /// Unit vector of a pin or a slide in the first link's frame; none: a pin about the joints' axes.
+  std::optional<Vector3> axis = {};
+  std::vector<Turn> turns = {};  ///< of a weld or a slide: the second link's frame as seen from the first
+  Expression length = {};        ///< of a rod, m
   std::optional<std::size_t> length_joint = {};  ///< slide whose value is the length of a rod
 };
 

@@ -77,10 +77,15 @@ emit::ast::Leaves leaves_of(const model::Robot& robot) {
     const auto field = fields.find(name);
     return emit::ast::name(field == fields.end() ? name : "g." + field->second);
   };
-  const auto refuse = [](const dag::Angle&) -> Expression {
-    throw std::domain_error("closed loops whose frames are turned by an angle that is a symbol");
+  const auto constant = [](std::string (*literal_of)(const exact::Angle&)) {
+    return [literal_of](const dag::Angle& angle) -> Expression {
+      const std::string text = literal_of(angle);
+      if (text.empty())
+        throw std::domain_error("closed loops whose frames are turned by an angle that is a symbol");
+      return emit::ast::real(text);
+    };
   };
-  return {symbol, refuse, refuse};
+  return {symbol, constant(emit::sine_literal), constant(emit::cosine_literal)};
 }
 
 /// Code of a program: the joints' values that it reads, temporaries, and outputs with their places.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Freedoms, refusals and certificates: what is counted of mechanisms that are known, and the reason where
 // there is no closed form.
+#include <cmath>
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +70,7 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("planar_3rpr")).free, 3);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/hexapod")).free, 6);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/stewart")).free, 6);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/three_rps")).free, 3);
 }
 
 TEST(Mobility, SaysHowManyAreFreeAndDriven) {
@@ -143,7 +147,7 @@ TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {
 /// Certifies a way through the loops, from some joints.
 void expect_certificate(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
   const auto assembly = derive::loops::assembly_plan(mechanism, given);
-  ASSERT_TRUE(assembly.found) << mechanism.robot.name;
+  ASSERT_TRUE(assembly.found) << mechanism.robot.name << testing::PrintToString(assembly.reasons);
   const auto certificate =
       verify::certify_loops(mechanism, assembly, derive::inverse::lower(assembly.plan), 3);
   EXPECT_EQ(certificate.inputs, 3) << mechanism.robot.name;
@@ -157,8 +161,81 @@ TEST(LoopCertificate, HoldsForEveryMechanismFromItsMotors) {
 }
 
 TEST(LoopCertificate, HoldsForEveryPlatformFromItsPlace) {
-  for (const char* name : {"ankle", "delta", "planar_3rrr", "planar_3rpr", "../platforms/hexapod"})
+  for (const char* name :
+       {"ankle", "delta", "planar_3rrr", "planar_3rpr", "../platforms/hexapod", "../platforms/three_rps"})
     expect_certificate(mechanism_of_file(name), mechanism_of_file(name).loops.outputs);
+}
+
+std::string slide(const std::string& a, const std::string& b, const std::string& more) {
+  return "[[loop]]\ntype = \"slide\"\nbetween = [\"" + a + "\", \"" + b + "\"]\n" + more;
+}
+
+const std::string crank_and_pin = head("\"a\"") + joint("a", "link = [0.3, 0, 0]\n") + joint("b", "");
+
+/// A block on a crank's pin that slides along a rocker.
+const std::string quick_return = crank_and_pin + joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") +
+                                 tip + slide("c", "b", "axis = \"+x\"\nat = [[0, 0.05, 0], [0, 0, 0]]\n");
+
+/// A slide between any two links is one of four kinds, by what is open and where.
+TEST(LoopCertificate, HoldsForSlidesAndWelds) {
+  const std::map<std::string, std::pair<std::string, int>> mechanisms{
+      {"turns on both sides", {quick_return, 2}},
+      {"turns on one side, turned by a right angle",
+       {crank_and_pin + joint("c", "origin = [0.9, 0, 0]\n") + tip +
+            slide("base", "c",
+                  "axis = [\"3/5\", \"4/5\", 0]\nat = [[0, 0.1, 0], [0.05, 0, 0]]\n"
+                  "rpy = [0, 0, \"90 deg\"]\n"),
+        2}},
+      {"a turn and a slide",
+       {crank_and_pin + joint("s", "", "prismatic", "+x") + tip +
+            slide("base", "s", "axis = \"+y\"\nat = [[0.2, 0, 0], [0, 0.1, 0]]\n"),
+        1}},
+      {"a weld behind a slide",
+       {crank_and_pin + joint("c", "origin = [0.9, 0, 0]\n") + joint("s", "", "prismatic", "+x") + tip +
+            "[[loop]]\ntype = \"weld\"\nbetween = [\"s\", \"base\"]\nat = [[0, 0, 0], [0.5, 0.2, 0]]\n"
+            "rpy = [0, 0, 0.3]\n",
+        2}}};
+  for (const auto& [name, expected] : mechanisms) {
+    SCOPED_TRACE(name);
+    const auto mechanism = mechanism_of(expected.first);
+    EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+    expect_certificate(mechanism, mechanism.loops.actuated);
+    EXPECT_EQ(derive::loops::assembly_plan(mechanism, {0}).plan.capacity, expected.second);
+  }
+}
+
+/// The equations of a slide, against the pin's place and angle in the plane.
+TEST(Mobility, ClosesSlidesAlongTheirLine) {
+  const verify::LoopNumbers numbers(mechanism_of(quick_return));
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const auto q = numbers.assembled(seed);
+    ASSERT_TRUE(q.has_value());
+    const double a = (*q)[0], b = (*q)[1], c = (*q)[2];
+    const double x = 0.3 * std::cos(a) - 0.7, y = 0.3 * std::sin(a);
+    EXPECT_NEAR(std::cos(c) * y - std::sin(c) * x, 0.05, 1e-10);
+    EXPECT_NEAR(std::cos(a + b - c), 1, 1e-12);
+  }
+}
+
+TEST(AssemblyPlan, SaysWhySlidesAndWeldsDoNotClose) {
+  const auto turned =
+      mechanism_of(crank_and_pin + joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") + tip +
+                   slide("c", "b", "axis = \"+x\"\nat = [[0, 0, 0], [0, 0, 0]]\nrpy = [1, 0, 0]\n"));
+  EXPECT_THROW(derive::loops::assembly_plan(turned, {0}), std::domain_error);
+  const auto across = mechanism_of(crank_and_pin + joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") +
+                                   tip + slide("c", "b", "axis = \"+z\"\nat = [[0, 0, 0], [0, 0, 0]]\n"));
+  EXPECT_THROW(derive::loops::assembly_plan(across, {0}), std::domain_error);
+  // A weld in space: counted, and not derived.
+  const auto space = mechanism_of(
+      head("\"a\"") + joint("a", "") + joint("b", "origin = [1, 0, 0]\n", "revolute", "+y") +
+      joint("c", "origin = [1, 0, 0]\n", "revolute", "+x") + joint("d", "origin = [0, 1, 0]\n") +
+      joint("m", "origin = [1, 0, 0.3]\n", "revolute", "+y") +
+      joint("f", "origin = [0, 1, 0]\n", "revolute", "+x") + joint("k", "origin = [1, 0, 0.2]\n") + tip +
+      "[[loop]]\ntype = \"weld\"\nbetween = [\"k\", \"base\"]\nat = [[0, 0, 0], [1, 0.5, 0.2]]\n");
+  const auto mobility = verify::mobility_of(space);
+  EXPECT_EQ(mobility.gruebler, 1);
+  EXPECT_EQ(mobility.free, 1);
+  EXPECT_THAT(reasons_of(space), HasSubstr("its axes are not all parallel"));
 }
 
 TEST(LoopCertificate, RefutesAStepThatIsWrong) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../description/folder.h"
 #include "description/reader.h"
 
 namespace qvgen::test::loops {
@@ -65,17 +66,35 @@ TEST(LoopDescription, RefusesRodsWithoutLength) {
               HasSubstr("the length of a rod is not above 0"));
 }
 
-TEST(LoopDescription, RefusesTypesThatAreNotDerived) {
+TEST(LoopDescription, RefusesTypesThatThereAreNot) {
   EXPECT_THAT(
       first_error(two_links +
-                  "[[loop]]\ntype = \"weld\"\nbetween = [\"a\", \"b\"]\nat = [[0, 0, 0], [0, 0, 0]]\n" + tip),
-      HasSubstr("unknown type of loop 'weld'; write pin, ball or rod"));
+                  "[[loop]]\ntype = \"gear\"\nbetween = [\"a\", \"b\"]\nat = [[0, 0, 0], [0, 0, 0]]\n" + tip),
+      HasSubstr("m.toml:14:8: error: unknown type of loop 'gear'; write pin, ball, rod, weld or slide"));
 }
 
-TEST(LoopDescription, WantsToKnowWhichJointsAreDriven) {
+TEST(LoopDescription, KeysBelongToTheirTypes) {
+  const auto loop = [](const std::string& type, const std::string& keys) {
+    return two_links + "[[loop]]\ntype = \"" + type +
+           "\"\nbetween = [\"a\", \"b\"]\nat = [[0, 0, 0], [0, 0, 0]]\n" + keys + tip;
+  };
+  EXPECT_THAT(first_error(loop("slide", "")), HasSubstr("axis = \"+x\", along which the second link slides"));
+  EXPECT_THAT(first_error(loop("weld", "axis = \"+x\"\n")),
+              HasSubstr("m.toml:17:1: error: 'axis' belongs to a pin or a slide; leave it out"));
+  EXPECT_THAT(first_error(loop("ball", "rpy = [0, 0, 1]\n")),
+              HasSubstr("m.toml:17:1: error: 'rpy' belongs to a weld or a slide; leave it out"));
+  const auto slide =
+      description::read_text(loop("slide", "axis = \"+x\"\nrpy = [0, 0, \"90 deg\"]\n"), "m.toml");
+  ASSERT_TRUE(slide.robot.has_value());
+  EXPECT_EQ(slide.loops.closures[0].turns.size(), 1U);
+}
+
+TEST(LoopDescription, NamesDrivenJointsOnce) {
   std::string text = two_links + rod("[\"a\", \"b\"]") + tip;
   text.replace(text.find("actuated = [\"a\"]\n"), 17, "");
-  EXPECT_THAT(first_error(text), HasSubstr("actuated"));
+  const auto open = description::read_text(text, "m.toml");
+  ASSERT_TRUE(open.robot.has_value());  // they are derived where there is no choice
+  EXPECT_TRUE(open.loops.actuated.empty());
   std::string twice = two_links + rod("[\"a\", \"b\"]") + tip;
   twice.replace(twice.find("[\"a\"]"), 5, "[\"a\", \"a\"]");
   EXPECT_THAT(first_error(twice), HasSubstr("m.toml:3:18: error: 'actuated' names this joint twice"));
@@ -83,6 +102,67 @@ TEST(LoopDescription, WantsToKnowWhichJointsAreDriven) {
 
 TEST(LoopDescription, RefusesDrivenJointsWithoutLoops) {
   EXPECT_THAT(first_error(two_links + tip), HasSubstr("m.toml:3:1: error: 'actuated' without [[loop]]"));
+}
+
+/// A four-bar as a URDF, with a fixed flange on the coupler.
+const std::string urdf = R"(<robot name="bar">
+<link name="ground"/><link name="crank"/><link name="coupler"/><link name="rocker"/><link name="flange"/>
+<joint name="m" type="continuous"><parent link="ground"/><child link="crank"/><axis xyz="0 0 1"/></joint>
+<joint name="p" type="continuous"><parent link="crank"/><child link="coupler"/>
+  <origin xyz="0.1 0 0"/><axis xyz="0 0 1"/></joint>
+<joint name="fix" type="fixed"><parent link="coupler"/><child link="flange"/>
+  <origin xyz="0.3 0 0" rpy="0 0 1.5707963"/></joint>
+<joint name="r" type="continuous"><parent link="ground"/><child link="rocker"/>
+  <origin xyz="0.3 0 0"/><axis xyz="0 0 1"/></joint>
+</robot>
+)";
+
+description::ReadResult beside_urdf(const std::string& toml) {
+  const description::Folder folder;
+  return folder.write("bar.urdf", urdf).write("bar.toml", toml).read("bar.toml");
+}
+
+std::string error_beside_urdf(const std::string& toml) {
+  for (const auto& diagnostic : beside_urdf(toml).diagnostics)
+    if (diagnostic.severity == description::Diagnostic::error) {
+      const std::string text = description::to_string(diagnostic);
+      return text.substr(text.rfind('/') + 1);
+    }
+  return "";
+}
+
+const std::string closes_urdf =
+    "robot = \"bar.urdf\"\nactuated = [\"m\"]\n[[loop]]\ntype = \"pin\"\nbetween = [\"flange\", \"rocker\"]\n"
+    "at = [[0, -0.05, 0], [0.25, 0, 0]]\n";
+
+TEST(LoopsBesideAUrdf, AreClosedBetweenItsLinks) {
+  const auto result = beside_urdf(closes_urdf);
+  ASSERT_TRUE(result.robot.has_value());
+  EXPECT_EQ(result.robot->name, "bar");
+  EXPECT_EQ(result.robot->source, "bar.urdf");
+  ASSERT_EQ(result.files.size(), 1U);
+  ASSERT_EQ(result.loops.closures.size(), 1U);
+  const model::Loop& loop = result.loops.closures[0];
+  EXPECT_EQ(result.robot->joints[loop.links[0]].variable, "p");  // the flange is a part of the coupler
+  EXPECT_EQ(to_string(loop.points[0][0]), "7/20");
+  EXPECT_EQ(result.robot->joints[loop.links[1]].variable, "r");
+  EXPECT_EQ(result.robot->joints[result.loops.actuated.at(0)].variable, "m");
+}
+
+TEST(LoopsBesideAUrdf, MistakesComeWithTheirPlaces) {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = closes_urdf;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_EQ(error_beside_urdf(with("\"rocker\"", "\"roker\"")),
+            "bar.toml:5:22: error: there is no link 'roker'; did you mean 'rocker'?");
+  EXPECT_EQ(error_beside_urdf(with("[\"m\"]", "[\"mm\"]")),
+            "bar.toml:2:12: error: there is no joint 'mm' that moves; did you mean 'm'?");
+  EXPECT_THAT(error_beside_urdf(with("bar.urdf", "no.urdf")), HasSubstr("no.urdf: No such file"));
+  EXPECT_THAT(
+      error_beside_urdf(with("0.25", "\"l\"")),
+      HasSubstr("bar.toml:6:24: error: the name 'l' beside a URDF, which has no symbols; write a number"));
+  EXPECT_THAT(error_beside_urdf("robot = \"bar.urdf\"\n"), HasSubstr("[[loop]] tables"));
 }
 
 }  // namespace

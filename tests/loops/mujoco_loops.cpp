@@ -2,9 +2,7 @@
 #include "mujoco_loops.h"
 
 #include <algorithm>
-#include <cstring>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace qvgen::test::loops {
@@ -64,23 +62,10 @@ std::string model_text(const reference::LoopMechanism& mechanism) {
          bodies_on(mechanism.chain, -1) + "</worldbody><equality>" + equalities + "</equality></mujoco>";
 }
 
-mjModel* load(const std::string& text) {
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  if (mj_makeEmptyFileVFS(files.get(), "loops.xml", static_cast<int>(text.size())) != 0)
-    throw std::runtime_error("MuJoCo: no memory for the model's text");
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), "loops.xml")], text.data(), text.size());
-  char error[1000] = "";
-  mjModel* model = mj_loadXML("loops.xml", files.get(), error, sizeof error);
-  mj_deleteVFS(files.get());
-  if (model == nullptr) throw std::runtime_error(std::string("MuJoCo: ") + error);
-  return model;
-}
-
 }  // namespace
 
 MujocoLoops::MujocoLoops(const reference::LoopMechanism& mechanism)
-    : model_(load(model_text(mechanism)), &mj_deleteModel), data_(mj_makeData(model_.get()), &mj_deleteData) {
+    : model_(mujoco_model(model_text(mechanism))), data_(mj_makeData(model_.get()), &mj_deleteData) {
   for (std::size_t i = 0; i < mechanism.chain.joints.size(); ++i) {
     const int body = mj_name2id(model_.get(), mjOBJ_BODY, ("b" + std::to_string(i)).c_str());
     places_.push_back(model_->jnt_dofadr[model_->body_jntadr[body]]);

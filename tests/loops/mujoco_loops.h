@@ -2,11 +2,9 @@
 // A mechanism with pins as MuJoCo has it: the joints' tree, and equality constraints as stiff as they can be.
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include <mujoco/mujoco.h>
-
+#include "mujoco_model.h"
 #include "reference/loops.h"
 
 namespace qvgen::test::loops {
@@ -20,8 +18,8 @@ class MujocoLoops {
   Eigen::VectorXd forward(const Eigen::VectorXd& q, const Eigen::VectorXd& forces);
 
  private:
-  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
-  std::unique_ptr<mjData, decltype(&mj_deleteData)> data_;
+  MujocoModel model_;
+  MujocoData data_;
   std::vector<int> places_;  ///< by joint: where MuJoCo, which counts along the bodies, has it
 };
 

@@ -35,7 +35,7 @@ class Stewart : public testing::Test {
     EXPECT_EQ(found.status, Status::solved);
     return found[0].q;
   }
-  const reference::LoopMechanism reference_ = reference::load_loops(QVGEN_STEWART);
+  const reference::LoopMechanism reference_ = reference::load_loops(QVGEN_PLATFORMS "stewart.toml");
   const reference::NamedFrame frame_ = reference_.chain.frames.front();
   std::mt19937 random_{5};
 };

@@ -2,10 +2,12 @@
 #include "derive/loops/assembly_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
+#include "derive/loops/named_angles.h"
 #include "derive/loops/solver.h"
 #include "model/private_names.h"
 #include "symbolic/model.h"
@@ -129,8 +131,7 @@ class Search {
     }
     for (const std::size_t i : open_) {
       if (!serves(i)) continue;
-      const std::string problem =
-          cycle(i).type == model::LoopType::rod ? solver_.rod(cycle(i)) : solver_.meeting(cycle(i));
+      const std::string problem = solve(cycle(i));
       if (!problem.empty()) {
         assembly_.reasons.push_back(problem);
         return false;
@@ -138,14 +139,15 @@ class Search {
       close({i}, assembly_.used);
       return true;
     }
-    return coupled() || platform();
+    return coupled() || platform() || swinging_legs();
   }
 
   /// An open closure as a distance, if it is one.
   [[nodiscard]] std::optional<Solver::Span> span_of(std::size_t i) const {
     if (!solver_.knows_length(cycle(i))) return std::nullopt;
     if (cycle(i).type == model::LoopType::rod) return Solver::Span{&cycle(i), {}};
-    if (!cycle(i).normal || !gap_along_normal(i).empty()) return std::nullopt;
+    const bool is_point = cycle(i).directions.empty();
+    if (!is_point || !cycle(i).normal || !gap_along_normal(i).empty()) return std::nullopt;
     for (const std::size_t joint : solver_.unknown(cycle(i)))
       if (turns(joint) && holders(joint) == 1) return Solver::Span{&cycle(i), joint};
     return std::nullopt;
@@ -194,8 +196,23 @@ class Search {
   }
 
   [[nodiscard]] bool serves(std::size_t i) const {
-    if (cycle(i).type == model::LoopType::rod) return unknowns(i) == 1;
-    return cycle(i).normal && unknowns(i) == 2 && gap_along_normal(i).empty();
+    if (unknowns(i) != rows_of(cycle(i))) return false;
+    return cycle(i).type == model::LoopType::rod || (cycle(i).normal && gap_along_normal(i).empty());
+  }
+
+  [[nodiscard]] std::string solve(const Cycle& cycle) {
+    switch (cycle.type) {
+      case model::LoopType::rod:
+        return solver_.rod(cycle);
+      case model::LoopType::weld:
+        return solver_.weld(cycle);
+      case model::LoopType::slide:
+        return solver_.slide(cycle);
+      case model::LoopType::pin:
+      case model::LoopType::ball:
+        break;
+    }
+    return solver_.meeting(cycle);
   }
 
   /// True if three rods hold the same three slides.
@@ -219,6 +236,29 @@ class Search {
     return true;
   }
 
+  /// True if three legs that swing in planes hold the same joints of a platform.
+  bool swinging_legs() {
+    std::vector<std::size_t> group;
+    std::vector<Solver::Swing> swings;
+    for (const std::size_t i : open_) {
+      const auto swing = solver_.swing_of(cycle(i));
+      if (!swing || swings.size() == 3) continue;
+      if (std::any_of(swing->leg.begin(), swing->leg.end(), [&](std::size_t j) { return holders(j) > 1; }))
+        continue;
+      if (!swings.empty() && swing->held != swings.front().held) continue;
+      group.push_back(i);
+      swings.push_back(*swing);
+    }
+    if (swings.size() < 3) return false;
+    const std::string problem = solver_.three_planes({swings[0], swings[1], swings[2]});
+    if (!problem.empty()) {
+      assembly_.reasons.push_back(problem);
+      return false;
+    }
+    close(group, assembly_.used);
+    return true;
+  }
+
   /// Why a planar loop does not close: its ends are in different planes.
   [[nodiscard]] std::string gap_along_normal(std::size_t i) const {
     const Cycle& of = cycle(i);
@@ -228,7 +268,9 @@ class Search {
                             return inverse::Scope::Turn{turns ? 1 : 0, 0};
                           }};
     const ex gap = dot(*of.normal, at_zero.end(of.sides[0], -1) - at_zero.end(of.sides[1], -1));
-    if (scope_.is_zero(gap)) return "";
+    // Points that rounded turns have placed miss each other by 40 digits.
+    constexpr double rounded = 1e-30;
+    if (scope_.is_zero(gap) || std::abs(scope_.sample(gap)) < rounded) return "";
     return "loop " + std::to_string(of.number) +
            " never closes: its ends move in parallel planes that do not meet; correct `at` or an origin";
   }
@@ -250,11 +292,13 @@ class Search {
       return head +
              "its axes are not all parallel; in space, write rods in place of links with balls at both ends";
     if (const std::string gap = gap_along_normal(i); !gap.empty()) return gap;
-    if (count < 2)
-      return head + "it has two equations, and only " + unknown_names(i) +
+    const std::string equations = rows_of(cycle(i)) == 2 ? "two" : "three";
+    if (count < rows_of(cycle(i)))
+      return head + "it has " + equations + " equations, and only " + unknown_names(i) +
              " is open; drive fewer joints of it, or leave the loop out";
-    return head + "its point places two joints, and " + unknown_names(i) +
-           " are open; drive all but two of them, or close the loops that hold them one by one";
+    return head + "its " + (cycle(i).directions.empty() ? "point" : "links") + " place" +
+           (cycle(i).directions.empty() ? "s " : " ") + equations + " joints, and " + unknown_names(i) +
+           " are open; drive all but " + equations + " of them, or close the loops that hold them one by one";
   }
 
   AssemblyPlan& assembly_;
@@ -296,12 +340,12 @@ void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described)
 
 AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
   AssemblyPlan assembly;
-  assembly.robot = model::with_private_names(mechanism.robot);
+  assembly.robot = with_named_angles(model::with_private_names(mechanism.robot));
   assembly.given = given;
   assembly.passive = others(mechanism.robot.joints.size(), given);
   std::vector<std::string> described;
   for (const model::Joint& joint : mechanism.robot.joints) described.push_back(joint.variable);
-  inverse::Scope scope(assembly.robot);
+  inverse::Scope scope = scope_of(assembly.robot, mechanism.loops);
   assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
   inverse::Builder builder(assembly.robot, scope, assembly.plan);
   for (const std::size_t joint : given) give(assembly.plan, scope, assembly.robot, joint);

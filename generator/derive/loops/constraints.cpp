@@ -13,20 +13,6 @@ using symbolic::symbol;
 using symbolic::Vector;
 namespace names = inverse::names;
 
-/// Two directions across a loop's normal, at right angles to each other and of any length: what the gap is
-/// measured along. Coordinate axes where the normal is one.
-std::array<Vector, 2> across(const Vector& normal) {
-  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  if (normal.x.is_zero() && normal.y.is_zero()) return {x, y};
-  if (normal.y.is_zero() && normal.z.is_zero()) return {y, z};
-  if (normal.x.is_zero() && normal.z.is_zero()) return {z, x};
-  const Vector& helper = normal.z.is_zero() ? z : normal.x.is_zero() ? x : y;
-  const Vector first = symbolic::cross(normal, helper);
-  const ex length = GiNaC::sqrt(dot(first, first));
-  const Vector unit = ex(1) / length * first;
-  return {unit, symbolic::cross(normal, unit)};
-}
-
 class Equations {
  public:
   explicit Equations(const model::Robot& robot) : robot_(robot) {}
@@ -36,6 +22,7 @@ class Equations {
     const Vector way = carrier.end(cycle.sides[0], -1) - carrier.end(cycle.sides[1], -1);
     if (cycle.type == model::LoopType::rod)
       return {(dot(way, way) - cycle.length * cycle.length) / (2 * cycle.length)};
+    if (!cycle.directions.empty()) return gaps_of_rigid(carrier, cycle, way);
     if (!cycle.normal) return {way.x, way.y, way.z};
     const auto [first, second] = across(*cycle.normal);
     return {dot(first, way), dot(second, way)};
@@ -52,6 +39,28 @@ class Equations {
   [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }
 
  private:
+  /// Gaps of a weld or a slide: the way between the links, not that along the slide, and how they are turned.
+  static std::vector<ex> gaps_of_rigid(const Carrier& carrier, const Cycle& cycle, const Vector& way) {
+    std::vector<std::array<Vector, 2>> seen;
+    for (const auto& [first, second] : cycle.directions)
+      seen.push_back({carrier.end_direction(cycle.sides[0], first, -1),
+                      carrier.end_direction(cycle.sides[1], second, -1)});
+    const bool slides = cycle.type == model::LoopType::slide;
+    if (!cycle.normal) {
+      std::vector<ex> gaps{dot(seen[1][0], way), dot(seen[2][0], way)};
+      if (!slides) gaps = {way.x, way.y, way.z};
+      for (std::size_t i = 0; i < 3; ++i) gaps.push_back(dot(seen[i][0], seen[(i + 1) % 3][1]));
+      return gaps;
+    }
+    const auto [first, second] = across(*cycle.normal);
+    std::vector<ex> gaps{dot(symbolic::cross(*cycle.normal, seen[0][0]), way)};
+    if (!slides) gaps = {dot(first, way), dot(second, way)};
+    // Twice the tangent of half the angle: the angle where it is small, and no zero at 180 degrees.
+    const ex sine = dot(*cycle.normal, symbolic::cross(seen[0][1], seen[0][0]));
+    gaps.push_back(2 * sine / (1 + dot(seen[0][0], seen[0][1])));
+    return gaps;
+  }
+
   [[nodiscard]] inverse::Scope::Turn value(std::size_t joint) const {
     const std::string& variable = robot_.joints[joint].variable;
     if (robot_.joints[joint].type == model::JointType::prismatic) return {symbol(variable), 0};

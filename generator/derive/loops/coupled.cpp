@@ -2,10 +2,11 @@
 // Loops that give way together only: each keeps the distance of two points, and several hold the same joints.
 // Two distances hold two turns, of an ankle for instance; three hold two slides and a turn, a platform in its
 // plane. Either way two equations are left that are linear in two unit vectors (kind::TwoTurns). Their
-// coefficients are found by sampling: a wave 1, cos, sin is known by its values at 0, 90 and 180 degrees.
+// coefficients are found by sampling (wave.h).
 #include <algorithm>
 
 #include "derive/loops/solver.h"
+#include "derive/loops/wave.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::loops {
@@ -17,26 +18,8 @@ using symbolic::cross;
 using symbolic::dot;
 using symbolic::Vector;
 using Turn = inverse::Scope::Turn;
-using Wave = std::array<ex, 3>;
 
 namespace {
-
-const std::array<Turn, 3>& quarter_turns() {
-  static const std::array<Turn, 3> turns{{{1, 0}, {0, 1}, {-1, 0}}};
-  return turns;
-}
-
-/// Coefficients of 1, cos and sin from the values at the quarter turns.
-Wave wave_of(const Wave& values) {
-  const ex mean = ((values[0] + values[2]) / 2).expand();
-  return {mean, ((values[0] - values[2]) / 2).expand(), (values[1] - mean).expand()};
-}
-
-template <class Value>
-Wave wave(const Value& value) {
-  const auto& at = quarter_turns();
-  return wave_of({value(at[0]), value(at[1]), value(at[2])});
-}
 
 template <class Spans>
 std::string names_of(const Spans& spans) {
@@ -57,11 +40,15 @@ std::vector<std::size_t> Solver::held(const Span& span) const {
   return joints;
 }
 
+Carrier Solver::carrier_at(const Values& values) {
+  return {robot_, [this, values](std::size_t joint) -> Turn {
+            const auto given = values.find(joint);
+            return given != values.end() ? given->second : builder_.value(screw_of(joint));
+          }};
+}
+
 Solver::Ends Solver::ends(const Span& span, const Values& values) {
-  const Carrier at{robot_, [&](std::size_t joint) -> Turn {
-                     const auto given = values.find(joint);
-                     return given != values.end() ? given->second : builder_.value(screw_of(joint));
-                   }};
+  const Carrier at = carrier_at(values);
   const Cycle& cycle = *span.cycle;
   if (!span.pivot)
     return {at.end(cycle.sides[0], -1) - at.end(cycle.sides[1], -1), cycle.length * cycle.length};

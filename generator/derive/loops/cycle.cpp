@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "derive/loops/named_angles.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::loops {
@@ -86,33 +87,99 @@ Cycle cycle_of(const model::Mechanism& mechanism, const model::Robot& robot, std
   cycle.sides[0] = {first, names.of(loop.points[0])};
   cycle.sides[1] = {second, names.of(loop.points[1])};
   cycle.length = names.of(loop.length);
+  cycle.turn = symbolic::to_symbolic(model::Displacement{with_named_angles(loop.turns), {}}).q;
   cycle.length_joint = loop.length_joint;
   if (loop.length_joint) cycle.length = symbolic::symbol(robot.joints[*loop.length_joint].variable);
   return cycle;
 }
 
+Carrier carrier_at_zero(const model::Robot& robot) {
+  return {robot, [&robot](std::size_t joint) {
+            const bool turns = robot.joints[joint].type == model::JointType::revolute;
+            return inverse::Scope::Turn{turns ? 1 : 0, 0};
+          }};
+}
+
 void check_axis(const model::Loop& loop, const model::Robot& robot, const Cycle& cycle,
                 const inverse::Scope& scope) {
   if (!loop.axis || !cycle.normal) return;
-  const Carrier at_zero{robot, [&](std::size_t joint) {
-                          const bool turns = robot.joints[joint].type == model::JointType::revolute;
-                          return inverse::Scope::Turn{turns ? 1 : 0, 0};
-                        }};
-  const Side& side = cycle.sides[0];
-  Vector axis = symbolic::to_symbolic(*loop.axis);
-  if (!side.joints.empty()) {
-    const model::Joint& last = robot.joints[side.joints.back()];
-    axis = symbolic::rotate(symbolic::to_symbolic(last.after).q, axis);
-    axis = at_zero.lifted_direction(side, static_cast<int>(side.joints.size()) - 1, axis, -1);
+  const Vector axis =
+      carrier_at_zero(robot).end_direction(cycle.sides[0], symbolic::to_symbolic(*loop.axis), -1);
+  const std::string name = "loop " + std::to_string(cycle.number);
+  if (cycle.type == model::LoopType::slide && !scope.is_zero(dot(axis, *cycle.normal)))
+    throw std::domain_error(name +
+                            ": the slide's axis is not at right angles to the axes of the loop's joints, so "
+                            "that nothing moves; correct `axis`");
+  if (cycle.type == model::LoopType::pin && !scope.is_zero(cross(axis, *cycle.normal)))
+    throw std::domain_error(name +
+                            ": the pin's axis is not parallel to the axes of the loop's joints, so that "
+                            "nothing moves; correct `axis`, or make it a ball");
+}
+
+/// A direction of the common link, all joints at zero, as each of both last links has it.
+std::array<Vector, 2> in_both_links(const model::Robot& robot, const Cycle& cycle, const Vector& direction) {
+  std::array<Vector, 2> seen{direction, direction};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Side& side = cycle.sides.at(i);
+    if (side.joints.empty()) continue;
+    const int first = 0;
+    const Vector front = carrier_at_zero(robot).lowered_direction(side, -1, direction, first);
+    seen.at(i) = carrier_at_zero(robot).at_end(side, first, front, true);
   }
-  if (!scope.is_zero(cross(axis, *cycle.normal)))
-    throw std::domain_error(
-        "loop " + std::to_string(cycle.number) +
-        ": the pin's axis is not parallel to the axes of the loop's joints, so that nothing "
-        "moves; correct `axis`, or make it a ball");
+  return seen;
+}
+
+/// Adds what both links of a weld or a slide have in common.
+void add_directions(const model::Loop& loop, const model::Robot& robot, const inverse::Scope& scope,
+                    Cycle& cycle) {
+  const bool slides = cycle.type == model::LoopType::slide;
+  if (!slides && cycle.type != model::LoopType::weld) return;
+  const auto add = [&](const Vector& first) {
+    cycle.directions.push_back(
+        {scope.clean(first), scope.clean(symbolic::rotate(symbolic::inverse(cycle.turn), first))});
+  };
+  const Vector axis = slides ? symbolic::to_symbolic(*loop.axis) : Vector{1, 0, 0};
+  if (!cycle.normal) {
+    add(axis);
+    for (const Vector& other : across(axis)) add(other);
+    return;
+  }
+  const std::array<Vector, 2> normal = in_both_links(robot, cycle, *cycle.normal);
+  if (!scope.is_zero(symbolic::rotate(cycle.turn, normal[1]) - normal[0]))
+    throw std::domain_error("loop " + std::to_string(cycle.number) +
+                            ": the links that it ties are turned out of the plane in which its joints move "
+                            "them; correct `turns` or `rpy`");
+  add(slides ? axis : in_both_links(robot, cycle, across(*cycle.normal)[0])[0]);
 }
 
 }  // namespace
+
+std::size_t rows_of(const Cycle& cycle) {
+  const bool flat = cycle.normal.has_value();
+  switch (cycle.type) {
+    case model::LoopType::rod:
+      return 1;
+    case model::LoopType::weld:
+      return flat ? 3 : 6;
+    case model::LoopType::slide:
+      return flat ? 2 : 5;
+    case model::LoopType::pin:
+    case model::LoopType::ball:
+      break;
+  }
+  return flat ? 2 : 3;
+}
+
+std::array<Vector, 2> across(const Vector& normal) {
+  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  if (normal.x.is_zero() && normal.y.is_zero()) return {x, y};
+  if (normal.y.is_zero() && normal.z.is_zero()) return {y, z};
+  if (normal.x.is_zero() && normal.z.is_zero()) return {z, x};
+  const Vector& helper = normal.z.is_zero() ? z : normal.x.is_zero() ? x : y;
+  const Vector first = cross(normal, helper);
+  const Vector unit = ex(1) / GiNaC::sqrt(dot(first, first)) * first;
+  return {unit, cross(normal, unit)};
+}
 
 std::vector<std::size_t> Cycle::joints() const {
   std::vector<std::size_t> all = sides[0].joints;
@@ -130,6 +197,7 @@ std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Rob
     cycles.push_back(cycle_of(mechanism, robot, i, names));
     cycles.back().normal = normal_of(robot, cycles.back(), scope);
     check_axis(mechanism.loops.closures[i], robot, cycles.back(), scope);
+    add_directions(mechanism.loops.closures[i], robot, scope, cycles.back());
   }
   return cycles;
 }
@@ -208,6 +276,26 @@ Vector Carrier::end(const Side& side, int to) const {
   const std::size_t joint = side.joints.back();
   const Vector x = symbolic::to_symbolic(robot.joints[joint].after) * side.point;
   return last == to ? x : lifted(side, last, moved(joint, x, false, false), to);
+}
+
+Vector Carrier::end_direction(const Side& side, const Vector& d, int to) const {
+  if (side.joints.empty()) return d;
+  const int last = static_cast<int>(side.joints.size()) - 1;
+  const std::size_t joint = side.joints.back();
+  const Vector seen = symbolic::rotate(symbolic::to_symbolic(robot.joints[joint].after).q, d);
+  return last == to ? seen : lifted_direction(side, last, moved(joint, seen, false, true), to);
+}
+
+Vector Carrier::at_end(const Side& side, int from, const Vector& x, bool is_direction) const {
+  const int last = static_cast<int>(side.joints.size()) - 1;
+  const std::size_t joint = side.joints.back();
+  Vector v = x;
+  if (from < last) {
+    v = is_direction ? lowered_direction(side, from, x, last) : lowered(side, from, x, last);
+    v = moved(joint, v, true, is_direction);
+  }
+  const symbolic::Pair back = symbolic::inverse(symbolic::to_symbolic(robot.joints[joint].after));
+  return is_direction ? symbolic::rotate(back.q, v) : back * v;
 }
 
 }  // namespace qvgen::derive::loops

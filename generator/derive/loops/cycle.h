@@ -30,13 +30,25 @@ struct Cycle {
   /// Unit vector that all axes of the loop are parallel to and all slides at right angles to, in the frame of
   /// the common link; nothing if the loop moves in space.
   std::optional<symbolic::Vector> normal = {};
+  symbolic::Quaternion turn = {};  ///< of a weld or a slide: the second link as seen from the first
+  /// Unit vectors that both links of a weld or a slide have, in the frame of each; that of a slide comes
+  /// first. One across the normal, or three at right angles to each other.
+  std::vector<std::array<symbolic::Vector, 2>> directions = {};
 
   /// Joints of both sides and that of the length, sorted.
   [[nodiscard]] std::vector<std::size_t> joints() const;
 };
 
-/// Returns the cycles of a mechanism, in the order of its closures. `robot` is its robot with private names.
-/// Throws std::domain_error if a pin's axis is not that of its loop's joints.
+/// Returns how many equations a closure is.
+std::size_t rows_of(const Cycle& cycle);
+
+/// Returns two directions across a vector, at right angles to each other and of its length: coordinate axes
+/// where the vector is one.
+std::array<symbolic::Vector, 2> across(const symbolic::Vector& normal);
+
+/// Returns the cycles of a mechanism, in the order of its closures. `robot` is its robot with private
+/// names and named angles.
+/// Throws std::domain_error if a closure does not let its loop's joints move in their plane.
 std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Robot& robot,
                              const inverse::Scope& scope);
 
@@ -58,6 +70,11 @@ struct Carrier {
                                                    int to) const;
   /// The side's point in the frame behind joint `to`'s motion; -1: in the common link's frame.
   [[nodiscard]] symbolic::Vector end(const Side& side, int to) const;
+  /// Likewise a direction of the side's last link.
+  [[nodiscard]] symbolic::Vector end_direction(const Side& side, const symbolic::Vector& d, int to) const;
+  /// From the frame behind the motion of joint `from` to that of the side's last link.
+  [[nodiscard]] symbolic::Vector at_end(const Side& side, int from, const symbolic::Vector& x,
+                                        bool is_direction) const;
 
  private:
   [[nodiscard]] symbolic::Vector moved(std::size_t joint, const symbolic::Vector& x, bool back,

@@ -37,6 +37,11 @@ class Solver {
   /// Three distances to points of one link that three slides at right angles carry.
   std::string three_spheres(const std::vector<const Cycle*>& cycles);
 
+  /// Two links of a plane that are one, for three unknown joints.
+  std::string weld(const Cycle& cycle);
+  /// Two links of a plane that slide along each other, for two unknown joints.
+  std::string slide(const Cycle& cycle);
+
   /// A closure as the distance of two points: a rod, or a pin behind a turn (`pivot`) that no other open
   /// closure holds, whose circle the pin is on.
   struct Span {
@@ -49,6 +54,17 @@ class Solver {
   std::string two_turns(const std::array<Span, 2>& spans);
   /// Three distances, for the two slides and the turn of a platform.
   std::string planar_platform(const std::array<Span, 3>& spans);
+
+  /// A ball in space at the end of a leg that swings in a plane, whatever its two joints are.
+  struct Swing {
+    const Cycle* cycle;
+    std::vector<std::size_t> leg;   ///< its two joints
+    std::vector<std::size_t> held;  ///< two slides and a turn of the platform, sorted
+  };
+  /// A closure as such a leg, if it is one.
+  [[nodiscard]] std::optional<Swing> swing_of(const Cycle& cycle) const;
+  /// Three of them, for the platform, then the legs.
+  std::string three_planes(const std::array<Swing, 3>& swings);
 
  private:
   /// An unknown joint's place: side and index there.
@@ -70,7 +86,17 @@ class Solver {
   symbolic::Vector goal_by(const Place& at, const Place& slide);
   void pair(const Place& at, const std::string& equation);
 
+  /// Finds a turn by the direction that both links of a weld or a slide have.
+  void turn_by_direction(const Cycle& cycle, const Place& at);
+  /// The direction across the line of a slide, in the common link's frame.
+  [[nodiscard]] symbolic::Vector line_across(const Carrier& carrier, const Cycle& cycle) const;
+  std::string slide_of_turns(const Cycle& cycle, const Place& u, const Place& v);
+  Cycle cut_at(const Cycle& weld, const Place& at);
+  std::string weld_cut_at(const Cycle& cycle, const Place& at);
+
   using Values = std::map<std::size_t, inverse::Scope::Turn>;
+  /// Carries with values of unknown joints.
+  [[nodiscard]] Carrier carrier_at(const Values& values);
   /// The way between both ends of a span in the common link's frame, from that of the second side, and the
   /// square that its length has to have, at values of unknown joints.
   struct Ends {
@@ -87,6 +113,11 @@ class Solver {
   [[nodiscard]] inverse::Flat at(const Leg& leg, const inverse::Scope::Turn& turn) const;
   /// Returns nothing if the joints do not make a platform in a plane.
   std::optional<Leg> leg_of(const Span& span, const PlatformJoints& joints);
+
+  [[nodiscard]] bool holds_platform(const Swing& swing) const;
+  [[nodiscard]] bool swings_in_plane(const Swing& swing) const;
+  struct Plane;
+  Plane plane_of(const Swing& swing, const PlatformJoints& platform);
 
   void stretch(const Cycle& cycle);
   std::string slide_by_rod(const Cycle& cycle, const Place& at);

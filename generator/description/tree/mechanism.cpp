@@ -5,6 +5,7 @@
 #include "description/named_frames.h"
 #include "description/names.h"
 #include "description/tree/limbs.h"
+#include "description/tree/loops.h"
 #include "description/tree/moving_tree.h"
 #include "description/tree/tree_reader.h"
 
@@ -90,8 +91,10 @@ bool is_too_large(Context& context, const Nodes& nodes, std::size_t base,
 }  // namespace
 
 model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_t base,
-                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body) {
+                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body,
+                                const Loops& loops) {
   model::Mechanism result;
+  const std::vector<Closure> closures = loops.any ? loops.read(nodes) : std::vector<Closure>{};
   const auto& named = context.options.tips;
   const bool every = named.empty() || named == std::vector<std::string>{every_tip};
   const std::vector<std::size_t> tips =
@@ -100,7 +103,7 @@ model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_
   if (tips.empty())
     context.error(nodes[base].place, "nothing moves behind " + nodes[base].name,
                   "a robot has at least one revolute, continuous or prismatic joint");
-  const std::vector<std::size_t> order = links_to(nodes, base, tips);
+  const std::vector<std::size_t> order = links_to(nodes, base, with_closures(nodes, base, closures, tips));
   if (tips.empty() || is_too_large(context, nodes, base, order)) return result;
   TreeReader reader(context, nodes, read, Node::none);
   if (read_body) result.robot.floating_base = reader.read_base(base, read_body(base), order);
@@ -110,6 +113,7 @@ model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_
     frame.name = frame_identifier(frame.name, result.tips);
     result.tips.push_back(std::move(frame));
   }
+  close_loops(context, nodes, reader, loops, closures, result);
   result.robot.title = tips.size() == 1 ? nodes[base].name + " to " + nodes[tips.front()].name
                                         : std::to_string(tips.size()) + " limbs from " + nodes[base].name;
   return result;

@@ -50,19 +50,20 @@ std::size_t floating_body(Context& context, const std::vector<Node>& nodes, std:
 }
 
 model::Mechanism read_whole(Context& context, const std::vector<Node>& nodes, const std::string& kind,
-                            const ReadSegment& read, const ReadBody& read_body) {
+                            const ReadSegment& read, const ReadBody& read_body, const Loops& loops) {
   const auto root = find_base(context, nodes, kind);
   if (!root) return {};
   const bool floats = context.options.floating;
   const std::size_t base = floats ? floating_body(context, nodes, *root) : *root;
   if (context.has_error) return {};
-  return read_mechanism(context, nodes, base, kind, read, floats ? read_body : ReadBody{});
+  return read_mechanism(context, nodes, base, kind, read, floats ? read_body : ReadBody{}, loops);
 }
 
 }  // namespace
 
 model::Mechanism read_tree(Context& context, const std::vector<Node>& described, const std::string& kind,
-                           const std::string& title, const ReadSegment& read, const ReadBody& read_body) {
+                           const std::string& title, const ReadSegment& read, const ReadBody& read_body,
+                           const Loops& loops) {
   model::Mechanism result;
   const std::vector<Node> nodes = with_fixed_joints(context, described);
   if (context.has_error) return result;
@@ -71,14 +72,16 @@ model::Mechanism read_tree(Context& context, const std::vector<Node>& described,
     const bool is_held = described[node].moves && !nodes[node].moves;
     return segment && is_held ? held(std::move(*segment)) : segment;
   };
-  if (context.options.tips.empty() && !context.options.floating) {
+  const bool closes = loops.any && context.options.tip.empty() && !context.options.floating;
+  if (loops.any && !closes) loops.leave_out();
+  if (!closes && context.options.tips.empty() && !context.options.floating) {
     const auto ends = find_ends(context, nodes, kind);
     if (!ends) return result;
     result.robot.title = title + ", " + nodes[ends->base].name + " to " + nodes[ends->tip].name;
     read_chain(context, nodes, *ends, read_unfixed, result.robot);
     return result;
   }
-  result = read_whole(context, nodes, kind, read_unfixed, read_body);
+  result = read_whole(context, nodes, kind, read_unfixed, read_body, closes ? loops : Loops{});
   result.robot.title = title + ", " + result.robot.title;
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -60,6 +61,32 @@ struct Node {
 /// chain cannot spoil it. Nothing where that joint can be in no chain; it has been reported then.
 using ReadSegment = std::function<std::optional<Segment>(std::size_t node)>;
 
+/// Ties two links into a loop, by what both have in common where the file closes it.
+struct Closure {
+  model::LoopType type = model::LoopType::ball;
+  std::array<std::size_t, 2> nodes{};
+  std::array<model::Displacement, 2> frames;     ///< of what is common, seen from each node
+  std::optional<model::Vector3> axis = {};       ///< seen from the first node
+  model::Expression length = {};                 ///< of a rod, m
+  std::optional<std::string> length_joint = {};  ///< the slide that says it, by its name in the file
+  Place place;
+};
+
+/// Names of joints in a file.
+struct JointNames {
+  std::vector<std::string> names;
+  Place place;
+};
+
+/// Loops of a file, whose numbers are read if the whole tree is meant.
+struct Loops {
+  bool any = false;
+  std::function<std::vector<Closure>(const std::vector<Node>& nodes)> read = {};
+  std::function<void()> leave_out = {};  ///< warns of loops that a chain or a floating base has not
+  JointNames actuated = {}, outputs = {};
+  bool may_lack = false;  ///< joints with motors may be outside of what is read
+};
+
 /// Reads the body of a link in its own frame, whatever joint holds it.
 using ReadBody = std::function<Body(std::size_t node)>;
 
@@ -96,14 +123,17 @@ void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, con
 
 /// Reads the whole tree behind a base: the limbs to the tips that the options name, or to all. Links that no
 /// limb needs are left out. Every fixed link becomes a named frame, but those of the base. With `read_body`
-/// the base floats.
+/// the base floats. Loops tie links of the tree together.
 model::Mechanism read_mechanism(Context& context, const std::vector<Node>& nodes, std::size_t base,
-                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body);
+                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body,
+                                const Loops& loops);
 
 /// Reads what the options ask for: a chain, which has no tips then, or a whole tree; with joints held where
-/// they say so. `title` is what the file calls the robot.
+/// they say so. With loops it is the whole tree, unless they ask for a chain. `title` is what the file calls
+/// the robot.
 model::Mechanism read_tree(Context& context, const std::vector<Node>& nodes, const std::string& kind,
-                           const std::string& title, const ReadSegment& read, const ReadBody& read_body);
+                           const std::string& title, const ReadSegment& read, const ReadBody& read_body,
+                           const Loops& loops = {});
 
 /// Returns a valid name of the generated code for a joint that a file calls by any text, different from those
 /// that are taken.

@@ -48,6 +48,27 @@ model::Frame TreeReader::place_of(std::size_t node) const {
   return {(*nodes_)[node].name, standing.joint, standing.frame};
 }
 
+std::optional<model::Frame> TreeReader::find_place(std::size_t node) {
+  std::vector<std::size_t> fixed;
+  while (standing_.count(node) == 0) {
+    if ((*nodes_)[node].moves || (*nodes_)[node].parent == Node::none) return std::nullopt;
+    fixed.push_back(node);
+    node = (*nodes_)[node].parent;
+  }
+  model::Frame place = place_of(node);
+  for (; !fixed.empty(); fixed.pop_back()) {
+    const Segment& segment = segment_of(fixed.back());
+    place.placement = folded(folded(place.placement, segment.before), segment.after);
+  }
+  return place;
+}
+
+std::optional<std::size_t> TreeReader::joint_called(const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
 void TreeReader::read_node(std::size_t node, model::Robot& robot) {
   const Segment segment = segment_of(node);
   Standing standing = standing_.at((*nodes_)[node].parent);

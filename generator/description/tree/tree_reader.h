@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ class TreeReader {
 
   /// Returns the joint that moves a node that was read, and the node's frame in that joint's link frame.
   [[nodiscard]] model::Frame place_of(std::size_t node) const;
+  /// Likewise for a node that may only be fixed to one that was read; nothing for others.
+  [[nodiscard]] std::optional<model::Frame> find_place(std::size_t node);
+  /// Returns the index of a joint by its name in the file; nothing if it was not read.
+  [[nodiscard]] std::optional<std::size_t> joint_called(const std::string& name) const;
 
  private:
   /// Place of a node: moved by a joint, its frame displaced from that joint's link frame.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "description/xml/mjcf_couplings.h"
 #include "description/xml/mjcf_inertia.h"
+#include "description/xml/mjcf_loops.h"
 #include "description/xml/mjcf_numbers.h"
 #include "description/xml/mjcf_tree.h"
 #include "description/xml/reader.h"
@@ -31,6 +32,9 @@ class SegmentReader {
     segment->body = body(node);
     return segment;
   }
+
+  /// The numbers of frames around elements.
+  MjcfFrames& frames() { return frames_; }
 
   tree::Body body(std::size_t node) {
     const MjcfPart& part = tree_->parts[node];
@@ -88,7 +92,8 @@ model::Mechanism read_mjcf(Context& context, const Element& root) {
   SegmentReader reader(context, *model, tree, model->settings.inertia);
   return read_tree(
       context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); },
-      [&](std::size_t node) { return reader.body(node); });
+      [&](std::size_t node) { return reader.body(node); },
+      mjcf_loops(context, *model, tree, reader.frames()));
 }
 
 }  // namespace qvgen::description::xml

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "description/xml/mjcf_loops.h"
 #include "model/arithmetic.h"
 
 namespace qvgen::description::xml {
@@ -55,7 +56,7 @@ bool MjcfCouplings::has_more(const Element& section) const {
 }
 
 void MjcfCouplings::read(const Element& element) {
-  if (text_of(element, "active") == "false") return;
+  if (text_of(element, "active") == "false" || is_loop(element)) return;
   if (element.name == "joint" && joints_.count(text_of(element, "joint1")) > 0) return read_joint(element);
   if (element.name == "tendon" && tendons_.count(text_of(element, "tendon1")) > 0)
     return read_tendons(element);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "description/tree/tree.h"
 #include "description/xml/element.h"
-#include "model/mechanism.h"
 
 namespace qvgen::description::xml {
 
 /// <robot>: a URDF. <mujoco>: an MJCF; <mujocoinclude>: a part of one. The chain between the options' base
-/// and tip, or the whole tree; mistakes go into the context.
-model::Mechanism read_urdf(Context& context, const Element& root);
+/// and tip, or the whole tree; mistakes go into the context. The loops of a URDF are told by another file.
+model::Mechanism read_urdf(Context& context, const Element& root, const tree::Loops& loops = {});
 model::Mechanism read_mjcf(Context& context, const Element& root);
 
 /// A link of a URDF on the way from base to tip.

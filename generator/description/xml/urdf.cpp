@@ -192,7 +192,7 @@ std::vector<UrdfLink> urdf_chain(Context& context, const Element& root) {
   return chain;
 }
 
-model::Mechanism read_urdf(Context& context, const Element& root) {
+model::Mechanism read_urdf(Context& context, const Element& root, const tree::Loops& loops) {
   const UrdfTree tree(context, root);
   if (!tree.good()) return {};
   const Attribute* name = root.attribute("name");
@@ -201,7 +201,7 @@ model::Mechanism read_urdf(Context& context, const Element& root) {
   return read_tree(
       context, tree.nodes, "link", title,
       [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); },
-      [&](std::size_t node) { return numbers.body(*tree.links[node]); });
+      [&](std::size_t node) { return numbers.body(*tree.links[node]); }, loops);
 }
 
 }  // namespace qvgen::description::xml

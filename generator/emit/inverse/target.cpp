@@ -72,10 +72,14 @@ ast::Leaves step_leaves(const model::Robot& robot, const LoweredPlan& plan, cons
       return ast::convert(ast::member(target(), name));
     return ast::member(work(), name);
   };
-  const auto refuse = [](const dag::Angle& angle) -> Expression {
-    throw std::logic_error("inverse kinematics: angle " + to_string(angle));
+  const auto constant = [](std::string (*literal_of)(const exact::Angle&)) {
+    return [literal_of](const dag::Angle& angle) -> Expression {
+      const std::string text = literal_of(angle);
+      if (text.empty()) throw std::logic_error("inverse kinematics: angle " + to_string(angle));
+      return ast::real(text);
+    };
   };
-  return {symbol, refuse, refuse};
+  return {symbol, constant(sine_literal), constant(cosine_literal)};
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "verify/loops/mobility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -11,6 +12,7 @@
 #include "dag/evaluate.h"
 #include "derive/inverse/lower.h"
 #include "derive/inverse/names.h"
+#include "derive/loops/named_angles.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
 #include "model/replace.h"
@@ -66,7 +68,8 @@ int rank_of(const MatrixXd& matrix) {
 
 /// Equations that a closure in space would be.
 int equations_in_space(model::LoopType type) {
-  return type == model::LoopType::pin ? 5 : type == model::LoopType::ball ? 3 : 1;
+  static constexpr std::array<int, 5> counts{5, 3, 1, 6, 5};  // in the order of the types
+  return counts.at(static_cast<std::size_t>(type));
 }
 
 /// Loops whose rows do not raise the rank of those before them.
@@ -100,6 +103,9 @@ std::vector<std::size_t> in_both(const std::vector<std::size_t>& a, const std::v
   return result;
 }
 
+/// How many equations of a closure, the last ones, are angles.
+std::size_t angles_of(const derive::loops::Cycle& cycle) { return cycle.directions.size(); }
+
 std::string count_of(int count, const std::string& of) {
   return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
 }
@@ -107,16 +113,18 @@ std::string count_of(int count, const std::string& of) {
 }  // namespace
 
 LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
-    : robot_(model::with_private_names(mechanism.robot)), geometry_(model::sample_geometry(robot_)) {
-  const derive::inverse::Scope scope(robot_);
+    : robot_(derive::loops::with_named_angles(model::with_private_names(mechanism.robot))),
+      geometry_(model::sample_geometry(robot_)) {
+  const derive::inverse::Scope scope = derive::loops::scope_of(robot_, mechanism.loops);
   const auto cycles = derive::loops::cycles_of(mechanism, robot_, scope);
   const derive::loops::Constraints constraints = derive::loops::constraints_of(robot_, cycles);
   gap_ = lowered(constraints.gap);
   jacobian_ = lowered(constraints.jacobian);
   for (const auto& cycle : cycles) {
-    const bool is_rod = cycle.type == model::LoopType::rod;
-    loop_of_row_.insert(loop_of_row_.end(), is_rod ? 1 : cycle.normal ? 2 : 3, cycle.number - 1);
+    loop_of_row_.insert(loop_of_row_.end(), derive::loops::rows_of(cycle), cycle.number - 1);
     stretches_.resize(loop_of_row_.size(), cycle.length_joint.has_value());
+    are_lengths_.resize(loop_of_row_.size() - angles_of(cycle), true);
+    are_lengths_.resize(loop_of_row_.size(), false);
     if (cycle.length_joint) lengths_.push_back(*cycle.length_joint);
   }
   size_ = 1e-3;
@@ -129,8 +137,9 @@ LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
     for (const std::size_t length : lengths_) q[static_cast<Eigen::Index>(length)] = 1;
     const VectorXd gap = gaps(q);
     for (Eigen::Index row = 0; row < gap.size(); ++row)
-      size_ = std::max(size_, stretches_[static_cast<std::size_t>(row)] ? std::sqrt(1 + 2 * gap[row])
-                                                                        : std::abs(gap[row]));
+      if (are_lengths_[static_cast<std::size_t>(row)])
+        size_ = std::max(size_, stretches_[static_cast<std::size_t>(row)] ? std::sqrt(1 + 2 * gap[row])
+                                                                          : std::abs(gap[row]));
   }
 }
 

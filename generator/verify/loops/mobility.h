@@ -17,7 +17,7 @@
 
 namespace qvgen::verify {
 
-/// Gaps of loops, m, and their derivatives as numbers, at the default geometry (numbers from 1 to 2 without
+/// Gaps of loops, m and radians, and their derivatives as numbers, at the default geometry (numbers from 1 to 2 without
 /// one).
 class LoopNumbers {
  public:
@@ -43,6 +43,7 @@ class LoopNumbers {
   std::vector<std::size_t> loop_of_row_;
   std::vector<std::size_t> lengths_;  ///< slides whose values are lengths of rods
   std::vector<bool> stretches_;       ///< for each row: it is the gap of such a rod
+  std::vector<bool> are_lengths_;     ///< for each row: it is no angle
   double size_ = 1;
 };
 

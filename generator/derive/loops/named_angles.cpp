@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "derive/loops/named_angles.h"
+
+#include "exact/named_constant.h"
+#include "model/arithmetic.h"
+#include "model/evaluate.h"
+
+namespace qvgen::derive::loops {
+namespace {
+
+model::Expression named(const model::Expression& angle) {
+  const auto form = model::angle_form(angle);
+  const bool is_number = form.has_value() || model::symbols(angle).empty();
+  const bool is_exact = form && cln::zerop(form->radians) && cln::denominator(form->half_turns * 12) == 1;
+  if (!is_number || is_exact) return angle;
+  const cln::cl_R value = model::evaluate(angle);
+  const model::Expression size = model::Expression::symbol(exact::name_of_angle(cln::abs(value)));
+  return cln::minusp(value) ? model::negate(size) : size;
+}
+
+}  // namespace
+
+std::vector<model::Turn> with_named_angles(std::vector<model::Turn> turns) {
+  for (model::Turn& turn : turns) turn.angle = named(turn.angle);
+  return turns;
+}
+
+model::Robot with_named_angles(model::Robot robot) {
+  for (model::Joint& joint : robot.joints)
+    for (model::Displacement* frame : {&joint.before, &joint.after})
+      frame->turns = with_named_angles(frame->turns);
+  return robot;
+}
+
+inverse::Scope scope_of(model::Robot robot, const model::Loops& loops) {
+  for (const model::Loop& loop : loops.closures)  // a scope knows the symbols of all frames
+    for (const model::Turn& turn : with_named_angles(loop.turns)) robot.tool.turns.push_back(turn);
+  return inverse::Scope(robot);
+}
+
+}  // namespace qvgen::derive::loops

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "verify/loops/driven.h"
+
+#include <algorithm>
+
+#include <Eigen/SVD>
+
+#include "verify/loops/mobility.h"
+
+namespace qvgen::verify {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr unsigned samples = 5;
+constexpr int most_tried = 20000;
+/// Singular values below this share of the greatest are none.
+constexpr double rank_share = 1e-7;
+
+/// Returns the motions of all joints that the loops allow, a column each.
+MatrixXd motions_at(const MatrixXd& jacobian) {
+  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  const auto rank =
+      (values.array() > rank_share * std::max(values.size() > 0 ? values[0] : 0.0, 1e-300)).count();
+  return svd.matrixV().rightCols(jacobian.cols() - rank);
+}
+
+/// Goes through the sets of joints of one size, in their order.
+class Search {
+ public:
+  Search(std::vector<MatrixXd> motions, DrivenChoices& into) : motions_(std::move(motions)), into_(into) {}
+
+  void run(std::size_t from = 0) {
+    if (chosen_.size() == into_.free) return add();
+    for (std::size_t joint = from; into_.are_all && joint < static_cast<std::size_t>(motions_[0].rows());
+         ++joint) {
+      chosen_.push_back(joint);
+      if (tells_apart()) run(joint + 1);
+      chosen_.pop_back();
+    }
+  }
+
+ private:
+  void add() {
+    if (into_.choices.size() == most_choices)
+      into_.are_all = false;
+    else
+      into_.choices.push_back(chosen_);
+  }
+
+  /// True if the chosen joints move independently of each other at some sample.
+  bool tells_apart() {
+    if (++tried_ > most_tried) into_.are_all = false;
+    return std::any_of(motions_.begin(), motions_.end(), [&](const MatrixXd& motions) {
+      MatrixXd rows(static_cast<Eigen::Index>(chosen_.size()), motions.cols());
+      for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        rows.row(i) = motions.row(static_cast<Eigen::Index>(chosen_[static_cast<std::size_t>(i)]));
+      return Eigen::JacobiSVD<MatrixXd>(rows).singularValues().minCoeff() > rank_share;
+    });
+  }
+
+  std::vector<MatrixXd> motions_;
+  DrivenChoices& into_;
+  std::vector<std::size_t> chosen_;
+  int tried_ = 0;
+};
+
+}  // namespace
+
+DrivenChoices driven_choices(const model::Mechanism& mechanism) {
+  DrivenChoices result;
+  const LoopNumbers numbers(mechanism);
+  std::vector<MatrixXd> motions;
+  for (unsigned sample = 0; sample < samples; ++sample) {
+    const auto q = numbers.assembled(sample + 1);
+    if (!q) break;
+    motions.push_back(motions_at(numbers.jacobian(*q)));
+    result.free = std::max(result.free, static_cast<std::size_t>(motions.back().cols()));
+  }
+  result.assembled = !motions.empty();
+  // Assemblies that move less than others are not the mechanism's.
+  std::erase_if(motions,
+                [&](const MatrixXd& each) { return static_cast<std::size_t>(each.cols()) != result.free; });
+  if (result.assembled && result.free > 0) Search(std::move(motions), result).run();
+  return result;
+}
+
+}  // namespace qvgen::verify
