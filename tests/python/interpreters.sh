@@ -32,13 +32,21 @@ find_interpreter() {
 
 declare -A debian=([3.11]=bookworm [3.13]=trixie [3.14]=forky)
 python=$(find_interpreter)
+for packer in python3 /usr/bin/python3; do
+  ! "$packer" -c 'import pip' 2>/dev/null || break
+done
+rm -rf "$work" && mkdir -p "$work/wheels"
 try=("$source/tests/python/try_wheel.sh" "$version" "$source/tests/python" "$work")
-if [[ -z $python ]]; then
+if [[ -n $python ]]; then
+  "$python" -m venv "$work/packer"  # only a Python itself knows what packages ask of its version
+  download=("$work/packer/bin/pip" download)
+else
   suite=${debian[$version]-}
   [[ -n $suite ]] || skip "no CPython $version on the path, of pyenv, or in a folder of QVGEN_PYTHONS"
   root=$work-$suite
   "$source/tests/package/debian_root.sh" make "$suite" "$root" "python$version-venv" g++ libeigen3-dev
   python=/usr/bin/python$version
+  download=("$packer" -m pip download --python-version "$version")
   IFS=: read -ra folders <<<"${QVGEN_LIBRARIES:-$source}"
   cache=${QVGEN_CACHE:-$work-cache}-$suite  # of another compiler
   mkdir -p "$cache"
@@ -46,16 +54,11 @@ if [[ -z $python ]]; then
        env "QVGEN_CACHE=$cache" "QVGEN_LIBRARIES=${QVGEN_LIBRARIES-}" PYTHONDONTWRITEBYTECODE=1 "${try[@]}")
 fi
 
-rm -rf "$work" && mkdir -p "$work/wheels"
-export QVGEN_TOOL=$tool
-build="import sys; sys.path.insert(0, '$source/runtime/python/build'); import qvgen_wheel; qvgen_wheel.build_wheel('$work/wheels')"
-for packer in python3 /usr/bin/python3; do
-  ! "$packer" -c 'import pip' 2>/dev/null || break
-done
-"$packer" -c "$build"
-download() { "$packer" -m pip --quiet --disable-pip-version-check download --dest "$work/wheels" --only-binary :all: --python-version "$version" "$@"; }
+QVGEN_TOOL=$tool "$packer" -c "import sys; sys.path.insert(0, '$source/runtime/python/build')
+import qvgen_wheel; qvgen_wheel.build_wheel('$work/wheels')"
+download() { "${download[@]}" --quiet --disable-pip-version-check --dest "$work/wheels" --only-binary :all: "$@"; }
 download numpy pytest || skip "no NumPy and pytest of PyPI for CPython $version"
 for extra in scipy matplotlib casadi; do
   download "$extra" 2>/dev/null || echo "not tested with $extra, which PyPI does not give for CPython $version"
 done
-exec env -u PYTHONPATH -u QVGEN_TOOL "${try[@]}" "$python"
+exec env -u PYTHONPATH "${try[@]}" "$python"
