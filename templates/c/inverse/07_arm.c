@@ -8,10 +8,12 @@ typedef struct Budget {
 } Budget;
 
 static bool take_of_budget(int* spent, int most, int* used_up) {
-  const bool allowed = *spent < most;
-  *spent += allowed ? 1 : 0;
-  *used_up = *used_up || !allowed;
-  return allowed;
+  if (*spent >= most) {
+    *used_up = 1;
+    return false;
+  }
+  *spent += 1;
+  return true;
 }
 
 static bool may_pass(Budget* budget) {

@@ -90,6 +90,11 @@ static bool is_known(const Known* known, int joints, const JointValues* values) 
   return false;
 }
 
+/// Adds a solution. There is room: whoever adds one has looked.
+static void remember(Known* known, const JointValues* values) {
+  if (known->count < most_branches) known->of[known->count++] = *values;
+}
+
 static const Known nothing_known = {0, {{{{0, 0}}}}};
 
 /// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond the
@@ -243,7 +248,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
     normalise(task, values);
     *state = settled;
     if (is_known(known, task->joints, values) || !has_room(tracker)) return false;
-    known->of[known->count++] = *values;
+    remember(known, values);
     return true;
   }
   Reached reached;
@@ -261,7 +266,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
     branch->continuum = true;
     if (seed != NULL) take_place_near_seed(tracker, task, seed, values);
   }
-  known->of[known->count++] = *values;
+  remember(known, values);
   return true;
 }
 

@@ -283,7 +283,7 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
     if (!visited->again) budget->spent.used_up = true;
     return false;
   }
-  visited->known.of[visited->known.count++] = *values;
+  remember(&visited->known, values);
   return true;
 }
 

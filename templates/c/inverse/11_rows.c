@@ -92,6 +92,7 @@ static void start_solutions(Solutions* found) {
 }
 
 static inline void append(Rows* found, const double* q, int branch, bool continuum) {
+  if (found->count >= capacity) return;  // never so: a branch has one row
   Row* row = &found->rows[found->count++];
   memcpy(row->q, q, sizeof row->q);
   row->branch = branch;
@@ -124,7 +125,7 @@ static void number_apart(Rows* found) {
   for (int k = 1; k < found->count; ++k) {
     if (!is_branch_of_any(found->rows, k, found->rows[k].branch)) continue;
     int branch = 0;
-    while (is_branch_of_any(found->rows, found->count, branch)) ++branch;
+    while (branch < found->count && is_branch_of_any(found->rows, found->count, branch)) ++branch;
     found->rows[k].branch = branch;
   }
 }

@@ -215,11 +215,12 @@ static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const
 
 /// The first number that no row has.
 static int free_branch(const Solutions* rows) {
-  for (int branch = 0;; ++branch) {
+  for (int branch = 0; branch < rows->count; ++branch) {
     bool has_it = false;
     for (int i = 0; i < rows->count; ++i) has_it = has_it || rows->rows[i].branch == branch;
     if (!has_it) return branch;
   }
+  return rows->count;
 }
 
 /// True if a set has a row that is this one but for rounding: next to a double root half the digits are lost.
