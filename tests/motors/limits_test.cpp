@@ -57,7 +57,8 @@ class MotorLimits : public testing::Test {
   }
 
   Arm arm_;
-  const Eigen::Matrix<double, Arm::dof, Arm::dof> matrix_ = arm_.coupling, inverse_ = reference::inverse(matrix_);
+  const Eigen::Matrix<double, Arm::dof, Arm::dof> matrix_ = arm_.coupling,
+                                                  inverse_ = reference::inverse(matrix_);
   std::mt19937 random_{5};
 };
 TYPED_TEST_SUITE(MotorLimits, MotorArms);

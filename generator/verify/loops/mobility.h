@@ -17,8 +17,8 @@
 
 namespace qvgen::verify {
 
-/// Gaps of loops, m and radians, and their derivatives as numbers, at the default geometry (numbers from 1 to 2 without
-/// one).
+/// Gaps of loops, m and radians, and their derivatives as numbers, at the default geometry (numbers from 1 to
+/// 2 without one).
 class LoopNumbers {
  public:
   explicit LoopNumbers(const model::Mechanism& mechanism);

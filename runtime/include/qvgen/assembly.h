@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Assemblies of closed loops: joint values of the whole mechanism for given values of some of its joints. The
 // equations are those of inverse kinematics, and so is the set: rows with branches, a status, orders and
-// limits. Loops add where two assemblies meet. How passive joints move with the given ones is in loop_motion.h.
+// limits. Loops add where two assemblies meet. How passive joints move with the given ones is in
+// loop_motion.h.
 #pragma once
 
 #include <array>

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/assembly_values.h"
+
+#include <algorithm>
+
+#include "derive/inverse/lower.h"
+#include "derive/inverse/names.h"
+#include "derive/loops/constraints.h"
+#include "emit/ast/literal.h"
+#include "emit/ast/printer.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/every_assembly.h"
+#include "emit/inverse/steps.h"
+#include "emit/inverse/target.h"
+#include "emit/leaves.h"
+#include "emit/math/describe.h"
+#include "emit/template_values.h"
+#include "exact/named_constant.h"
+#include "model/private_names.h"
+#include "pipeline/assembly.h"
+#include "verify/loops/certify_loops.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using derive::loops::AssemblyPlan;
+using nlohmann::json;
+namespace names = derive::inverse::names;
+
+constexpr int certificate_inputs = 12;
+
+std::vector<std::string> flags(std::size_t count, const std::vector<std::size_t>& joints) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < count; ++i)
+    list.push_back(std::find(joints.begin(), joints.end(), i) == joints.end() ? "false" : "true");
+  return list;
+}
+
+/// The symbols that stand for a joint, with their values in code.
+json values_of_joint(const model::Robot& robot, std::size_t joint, bool with_rate) {
+  const std::string& variable = robot.joints[joint].variable;
+  const std::string q = fmt::format("q[{}]", joint);
+  json list = json::array();
+  if (robot.joints[joint].type == model::JointType::prismatic) {
+    list.push_back({{"name", variable}, {"value", q}});
+  } else {
+    list.push_back({{"name", names::cosine(variable)}, {"value", "std::cos(" + q + ")"}});
+    list.push_back({{"name", names::sine(variable)}, {"value", "std::sin(" + q + ")"}});
+  }
+  if (with_rate) list.push_back({{"name", "rate_" + variable}, {"value", fmt::format("qd[{}]", joint)}});
+  return list;
+}
+
+emit::ast::Leaves leaves_of(const model::Robot& robot) {
+  using emit::ast::Expression;
+  const auto symbol = [fields = emit::geometry_fields(robot)](const std::string& name) -> Expression {
+    if (const auto constant = exact::named_value(name))
+      return emit::ast::real(emit::literal(exact::Number(*constant)));
+    const auto field = fields.find(name);
+    return emit::ast::name(field == fields.end() ? name : "g." + field->second);
+  };
+  const auto constant = [](std::string (*literal_of)(const exact::Angle&)) {
+    return [literal_of](const dag::Angle& angle) -> Expression {
+      const std::string text = literal_of(angle);
+      if (text.empty())
+        throw std::domain_error("closed loops whose frames are turned by an angle that is a symbol");
+      return emit::ast::real(text);
+    };
+  };
+  return {symbol, constant(emit::sine_literal), constant(emit::cosine_literal)};
+}
+
+/// Code of a program: the joints' values that it reads, temporaries, and outputs with their places.
+struct ProgramCode {
+  json values = json::array();
+  json code;
+};
+
+ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
+                    const std::vector<std::string>& places) {
+  std::vector<std::string> all;
+  for (const auto& output : program.outputs()) all.push_back(output.name);
+  dag::Function function = derive::inverse::lowered(program, all);
+  std::vector<std::string> kept;
+  // Zeros stay as they were set.
+  std::vector<dag::Output> outputs;
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    const bool is_entry = places[i].find(',') != std::string::npos;
+    if (is_entry && function.graph.is_zero(function.outputs[i].value)) continue;
+    outputs.push_back(function.outputs[i]);
+    kept.push_back(places[i]);
+  }
+  function.outputs = outputs;
+  const emit::ast::Straight straight = emit::ast::straight(function, leaves_of(robot));
+  ProgramCode result;
+  result.code = emit::values_of(straight, emit::cpp());
+  for (std::size_t i = 0; i < kept.size(); ++i) result.code["outputs"][i]["place"] = kept[i];
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint)
+    for (const json& value : values_of_joint(robot, joint, true))
+      if (emit::ast::mentions(straight, value["name"])) result.values.push_back(value);
+  return result;
+}
+
+std::vector<std::string> numbers(std::size_t count) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < count; ++i) list.push_back(std::to_string(i));
+  return list;
+}
+
+std::vector<std::string> entries(std::size_t rows, std::size_t columns) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j) list.push_back(fmt::format("{}, {}", i, j));
+  return list;
+}
+
+json fields_of(const std::vector<std::string>& list) {
+  json result = json::array();
+  for (const std::string& name : list) result.push_back({{"field", name}});
+  return result;
+}
+
+/// How assemblies are numbered where a step gives all of its solutions at once.
+std::string text_of_order(const model::Robot& described, const AssemblyPlan& assembly) {
+  for (const derive::inverse::Step& step : assembly.plan.steps)
+    if (step.is_quartic())
+      return " They are numbered in the order of " +
+             described.joints[static_cast<std::size_t>(step.joint)].variable +
+             ": the number of one changes where others appear or vanish, its place next to a seed does not.";
+  return "";
+}
+
+/// The gap, a share of the size, of closed rows; wider where more joints than freedoms are given, rounded.
+std::string closing_of(const LoopVariant& variant, const AssemblyPlan& assembly) {
+  const bool too_many = variant.of_limb && !assembly.redundant.empty();
+  return too_many ? "std::max(t.tolerance, 1e-11)" : "t.tolerance";
+}
+
+/// Given slides whose values are lengths of rods, so not below zero.
+json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
+  json list = json::array();
+  for (const std::size_t joint : given) {
+    const auto& closures = mechanism.loops.closures;
+    if (std::any_of(closures.begin(), closures.end(),
+                    [&](const model::Loop& loop) { return loop.length_joint == joint; }))
+      list.push_back({{"joint", joint}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string described_names(const model::Robot& robot, const std::vector<std::size_t>& joints) {
+  std::vector<std::string> list;
+  for (const std::size_t joint : joints) list.push_back(robot.joints[joint].variable);
+  return commas(list);
+}
+
+void add_constraints(const AssemblyPlan& assembly, json& values) {
+  const derive::loops::Constraints constraints = derive::loops::constraints_of(assembly);
+  const model::Robot& robot = assembly.robot;
+  const std::size_t gaps = constraints.rows + constraints.redundant_rows;
+  const auto add = [&](const std::string& name, const ProgramCode& code) {
+    values[name + "_values"] = code.values;
+    values[name + "_code"] = code.code;
+  };
+  add("gap", code_of(constraints.gap, robot, numbers(gaps)));
+  add("jacobian", code_of(constraints.jacobian, robot, entries(constraints.rows, robot.joints.size())));
+  add("bias", code_of(constraints.bias, robot, numbers(constraints.rows)));
+  values["gap_count"] = gaps;
+  std::string doc = "In the order";
+  for (const std::size_t i : assembly.used) doc += " " + std::to_string(i + 1);
+  for (const std::size_t i : assembly.redundant) doc += " " + std::to_string(i + 1) + " (redundant)";
+  values["gap_doc"] = doc + " of the description's loops.";
+}
+
+json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
+  const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
+  const verify::LoopCertificate certificate =
+      verify::certify_loops(mechanism, assembly, plan, certificate_inputs);
+  const model::Robot& robot = assembly.robot;
+  const bool forward = variant.function == "assemble";
+  json geometry = json::array();
+  for (const auto& [name, field] : emit::geometry_fields(robot)) geometry.push_back({{"field", field}});
+  json given_values = json::array();
+  for (const std::size_t joint : assembly.given)
+    for (const json& value : values_of_joint(robot, joint, false)) given_values.push_back(value);
+  return {{"function", variant.function},
+          {"type", variant.type},
+          {"space", variant.space},
+          {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) +
+                      "; at most " + std::to_string(assembly.plan.capacity) + "." +
+                      text_of_order(mechanism.robot, assembly)},
+          {"summary", emit::lines_of(step_lines(mechanism.robot, assembly.plan))},
+          {"certificate", certificate.text()},
+          {"capacity", assembly.plan.capacity},
+          {"argument", variant.argument},
+          {"argument_type", forward ? std::string("Driven")
+                                    : fmt::format("Eigen::Matrix<double, {}, 1>", variant.given.size())},
+          {"given", commas(assembly.given)},
+          {"given_count", assembly.given.size()},
+          {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
+          {"given_values", given_values},
+          {"closing", closing_of(variant, assembly)},
+          {"lengths", lengths_in(mechanism, assembly.given)},
+          {"checks_all", assembly.redundant.empty() ? "false" : "true"},
+          {"geometry", geometry},
+          {"has_geometry", !geometry.empty()},
+          {"target_fields", fields_of(assembly.plan.target_kept)},
+          {"work_fields", fields_of(emit::work_fields(plan))},
+          {"target", emit::target_values(robot, plan, emit::cpp())},
+          {"steps", emit::step_values(robot, plan, emit::cpp())},
+          {"lines", emit::lines_of(emit::cpp().body({"t", "q", "found"}, emit::every_assembly(plan)))}};
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Values that the templates of closed loops take: equations of the loops, and one way to assemble them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "derive/loops/assembly_plan.h"
+#include "pipeline/loop_variants.h"
+
+namespace qvgen::pipeline {
+
+template <class List>
+std::string commas(const List& list) {
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+/// Names of joints, as the description has them.
+std::string described_names(const model::Robot& robot, const std::vector<std::size_t>& joints);
+
+/// Adds the gaps, their Jacobian and its rate as code.
+void add_constraints(const derive::loops::AssemblyPlan& assembly, nlohmann::json& values);
+
+/// Returns the values of one function that assembles, which is certified on the way.
+nlohmann::json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant,
+                          const derive::loops::AssemblyPlan& assembly);
+
+}  // namespace qvgen::pipeline
