@@ -25,6 +25,8 @@ struct NamedArm {
   AnyArm arm;
 };
 const std::vector<NamedArm>& arms();
+/// Returns the names of those to test: one of each structure, in long runs all fifteen.
+std::vector<std::string> names_of_arms();
 const NamedArm& arm_called(const std::string& name);
 
 inline JointLimits<6> no_limits() {

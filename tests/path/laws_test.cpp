@@ -203,13 +203,7 @@ TEST_P(PathLaws, MotionsOfTheHalvesJoin) {
   });
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const NamedArm& each : arms()) all.push_back(each.name);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Arms, PathLaws, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Arms, PathLaws, testing::ValuesIn(names_of_arms()),
                          [](const auto& arm_info) { return arm_info.param; });
 
 }  // namespace
