@@ -12,7 +12,7 @@ std::string joint(const std::string& variable, const std::string& more, const st
 }
 
 /// A four-bar that does not say what is driven; `more`: further joints.
-std::string four_bar(const std::string& more = "") {
+std::string described(const std::string& more = "") {
   return "name = \"bar\"\ntitle = \"four-bar\"\n" + joint("a", "link = [1, 0, 0]\n") + joint("b", "") +
          joint("c", "parent = \"base\"\norigin = [2, 0, 0]\n") + more +
          "[[tip]]\nname = \"end\"\njoint = \"b\"\n" +
@@ -20,7 +20,7 @@ std::string four_bar(const std::string& more = "") {
 }
 
 TEST_F(CommandLine, ListsDrivenJointsAsLinesToCopy) {
-  const ToolRun checked = run("check " + write("bar.toml", four_bar()));
+  const ToolRun checked = run("check " + write("bar.toml", described()));
   EXPECT_EQ(checked.code, 3);
   EXPECT_TRUE(
       has(checked,
