@@ -86,6 +86,7 @@ void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated,
     for (const fs::path& archive : runtime.archives) program.libraries.push_back(archive.string());
     return;
   }
+  program.sources.push_back(runtime_source(runtime.sources / "inverse/requested_pose.cpp"));
   for (const std::string part : {"core/sine_cosine", "inverse/within"}) {
     program.sources.push_back(runtime_source(runtime.sources / (part + ".cpp")));
     if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / (part + "_avx2.cpp")));
