@@ -9,6 +9,7 @@ typedef struct Budget {
 
 static bool take_of_budget(int* spent, int most, int* used_up) {
   if (*spent >= most) {
+    *spent = most;
     *used_up = 1;
     return false;
   }

@@ -77,6 +77,7 @@ static Dependent dependent(Columns* a) {
       if (longest == a->count || square[i] > square[longest]) longest = i;
       if (result.least == a->count || square[i] <= square[result.least]) result.least = i;
     }
+    if (longest == a->count || result.least == a->count) break;
     limit = larger(limit, nothing * nothing * square[longest]);
     if (!(square[longest] > limit)) {
       result.square = square[result.least];

@@ -65,7 +65,12 @@ static bool polish(const Matching* task, Patience until, JointValues* values, Re
   normalise(task, values);
   const double rounding = DBL_EPSILON * DBL_EPSILON * task->size_square;
   const double half_the_digits = sqrt(DBL_EPSILON);
-  if (!may_step(budget)) return false;
+  if (!may_step(budget)) {
+    memset(best->jacobian, 0, sizeof best->jacobian);
+    memset(best->off, 0, sizeof best->off);
+    best->error = task->size_square;  // far off
+    return false;
+  }
   reach(task, values, best);
   JointValues now = *values;
   Reached at = *best;

@@ -147,7 +147,7 @@ static void start_tracker(Tracker* tracker, int branches, int passes, int steps,
   const Budget budget = {passes, steps, {0, 0, 0}};
   tracker->branches = branches;
   for (int i = 0; i < branches; ++i) tracker->states[i] = unseen;
-  tracker->known.count = 0;
+  tracker->known = nothing_known;
   tracker->budget = budget;
   tracker->persists = persists;
   tracker->again = tracker->closed = false;
@@ -315,6 +315,7 @@ static bool settle_near_seed(SeedTracker* tracker, const Matching* task, const B
   }
   Budget* budget = &tracker->budget;
   Reached reached;
+  memset(&reached, 0, sizeof reached);
   const Patience until = patience(boundary->miss);
   if (tracker->start == from_seed) {
     *values = *seed;

@@ -89,6 +89,7 @@ static void start_solutions(Solutions* found) {
   found->status = status_unreachable;
   found->count = 0;
   found->effort.passes = found->effort.steps = found->effort.used_up = 0;
+  for (int i = 0; i < capacity; ++i) found->rows[i].branch = found->rows[i].continuum = 0;
 }
 
 static inline void append(Rows* found, const double* q, int branch, bool continuum) {

@@ -258,7 +258,10 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   const bool replaces = is_joined || found->count == most_rows_of_set;
   const int branch = replaces ? found->rows[0].branch : free_branch(found);
   if (!replaces) {
-    for (int i = found->count++; i > 0; --i) found->rows[i] = found->rows[i - 1];
+    for (int i = found->count++; i > 0; --i) {
+      const Solution before = found->rows[i - 1];
+      found->rows[i] = before;
+    }
   }
   found->rows[0] = own_solution(&nearest.row);
   found->rows[0].branch = branch;

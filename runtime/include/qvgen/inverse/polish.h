@@ -286,7 +286,11 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
   normalise(task, values);
   const Scalar rounding = epsilon<Scalar>() * epsilon<Scalar>() * task.size_square;
   const Scalar half_the_digits = sqrt(epsilon<Scalar>());
-  if (!budget.step()) return false;
+  if (!budget.step()) {
+    best = {};
+    best.error = task.size_square;  // far off
+    return false;
+  }
   best = newton.reached(values);
   JointValues<Scalar, joints> now = values;
   Reached<Scalar, joints, points> at = best;
