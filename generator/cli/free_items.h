@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `qvgen path --free` names: turns of the tool, tolerances, rails, the arm angle, a joint.
+// Items of `qvgen path --free`: turns of the tool, tolerances, rails, the arm angle, a joint.
 #pragma once
 
 #include <string>

@@ -104,24 +104,21 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->delimiter(',')
       ->check(positive_or_infinite)
       ->excludes("--free");
-  command
-      .add_option("--joint-speeds", arguments.joint_speeds,
-                  "for --time: the largest ones in place of the description's, rad/s or m/s, likewise")
-      ->type_name("SPEEDS")
-      ->allow_extra_args(false)
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber)
-      ->needs("--time");
-  command
-      .add_option(
-          "--joint-jerks", arguments.joint_jerks,
-          "for --time: the largest jerks of the joints, rad/s^3 or m/s^3, likewise; the time is near the "
-          "least one")
-      ->type_name("JERKS")
-      ->allow_extra_args(false)
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber)
-      ->needs("--time");
+  const auto add_largest = [&](const char* name, std::vector<double>& numbers, const char* text,
+                               const char* type) {
+    command.add_option(name, numbers, text)
+        ->type_name(type)
+        ->allow_extra_args(false)
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->needs("--time");
+  };
+  add_largest("--joint-speeds", arguments.joint_speeds,
+              "for --time: the largest ones in place of the description's, rad/s or m/s, likewise", "SPEEDS");
+  add_largest("--joint-jerks", arguments.joint_jerks,
+              "for --time: the largest jerks of the joints, rad/s^3 or m/s^3, likewise; the time is near the "
+              "least one",
+              "JERKS");
   command
       .add_option(
           "--joint-torques", arguments.joint_torques,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the picture of a path (picture.cpp) has the path, for scripts that mark a place on it.
+// Edges of the panels that picture.cpp draws. Scripts mark a place of the path there.
 #pragma once
 
 namespace qvgen::path {

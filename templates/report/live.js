@@ -166,12 +166,7 @@ class Live {
   }
 
   redraw() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => {
-      this.waiting = false;
-      this.draw();
-    });
+    drawAtNextFrame(this);
   }
 
   draw() {

@@ -134,12 +134,7 @@ class PathPlayer {
   }
 
   redraw() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => {
-      this.waiting = false;
-      this.draw();
-    });
+    drawAtNextFrame(this);
   }
 
   draw() {

@@ -227,3 +227,13 @@ class View {
     });
   }
 }
+
+/// Draws a picture at the next frame, once however often this is called before it.
+function drawAtNextFrame(picture) {
+  if (picture.waiting) return;
+  picture.waiting = true;
+  requestAnimationFrame(() => {
+    picture.waiting = false;
+    picture.draw();
+  });
+}

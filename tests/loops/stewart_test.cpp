@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A platform on six cylinders: its legs for a place by hand, its place next to a seed for legs, Jacobians,
 // forces and dynamics against the reference.
-#include <cmath>
-#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/stewart/assembly.h>
 
+#include "platform_laws.h"
 #include "reference/dynamics.h"
 #include "reference/linear_algebra.h"
 #include "reference/loops.h"
@@ -40,7 +39,13 @@ class Stewart : public testing::Test {
   std::mt19937 random_{5};
 };
 
-Driven legs_of(const Q& q) { return q(arm::driven_joints); }
+struct Arm {
+  using Q = arm::JointVector<double>;
+  using Driven = arm::Driven;
+  static Driven legs_of(const Q& q) { return q(arm::driven_joints); }
+  static auto follow(const Driven& legs, const Q& seed) { return arm::follow(legs, seed); }
+  static auto assemble_from_outputs(const Driven& place) { return arm::assemble_from_outputs(place); }
+};
 
 TEST_F(Stewart, LegsForAPlaceAreDistancesOfPoints) {
   for (int k = 0; k < QVGEN_LOOP_INPUTS; ++k) {
@@ -49,7 +54,7 @@ TEST_F(Stewart, LegsForAPlaceAreDistancesOfPoints) {
     ASSERT_EQ(found.size(), 1);
     EXPECT_EQ(found[0].q(arm::output_joints), x);
     EXPECT_LT(reference::gaps(reference_, found[0].q).cwiseAbs().maxCoeff(), 1e-14);
-    EXPECT_GT(legs_of(found[0].q).minCoeff(), 0);
+    EXPECT_GT(Arm::legs_of(found[0].q).minCoeff(), 0);
   }
 }
 
@@ -60,35 +65,16 @@ TEST_F(Stewart, AnyPoseOfTheTopHasItsLegs) {
     const auto found = arm::inverse_kinematics_of_top(Pose<double>::from_isometry(pose), q);
     ASSERT_FALSE(found.empty());
     EXPECT_LT((found[0].q - q).norm(), 1e-12);
-    for (const auto& row : found) EXPECT_LT((legs_of(row.q) - legs_of(q)).norm(), 1e-12);
+    for (const auto& row : found) EXPECT_LT((Arm::legs_of(row.q) - Arm::legs_of(q)).norm(), 1e-12);
   }
 }
 
 TEST_F(Stewart, ThePlaceNextToASeedIsFoundAndSaysSo) {
-  for (int k = 0; k < QVGEN_LOOP_INPUTS; ++k) {
-    const Q q = assembled();
-    Q seed = q;
-    for (double& value : seed) value += std::uniform_real_distribution<double>(-0.03, 0.03)(random_);
-    const auto found = arm::follow(legs_of(q), seed);
-    ASSERT_TRUE(found.closed);
-    EXPECT_FALSE(found.crossed);
-    EXPECT_LE(found.steps, 6);
-    EXPECT_LT(found.gap, 1e-12);
-    EXPECT_LT((found.q - q).norm(), 1e-10);
-  }
+  for (int k = 0; k < QVGEN_LOOP_INPUTS; ++k)
+    ASSERT_NO_FATAL_FAILURE(platforms::expect_followed<Arm>(assembled(), random_));
 }
 
-TEST_F(Stewart, SaysWhereLegsCannotMeet) {
-  const Q q = assembled();
-  Driven legs = legs_of(q);
-  legs[0] = 40;
-  EXPECT_FALSE(arm::follow(legs, q).closed);
-  legs[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(arm::follow(legs, q).closed);
-  Driven nowhere = place();
-  nowhere[2] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(arm::assemble_from_outputs(nowhere).status, Status::invalid);
-}
+TEST_F(Stewart, SaysWhereLegsCannotMeet) { platforms::expect_refused<Arm>(assembled(), place()); }
 
 TEST_F(Stewart, ItsTopMovesAndIsHeldAsTheReferenceSays) {
   for (int k = 0; k < QVGEN_LOOP_INPUTS; ++k) {

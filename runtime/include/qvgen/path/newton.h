@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include <Eigen/Core>
+#include <qvgen/detail/linear_system.h>
 #include <qvgen/path/arm.h>
 #include <qvgen/path/curve.h>
-#include <qvgen/path/linear.h>
 
 /// Newton's steps towards a point of the path: at a fixed path coordinate, or along the solution curve, where
 /// joints and path coordinate are seven unknowns of six equations. Along the curve nothing is singular where
@@ -45,7 +45,7 @@ class Equations {
   /// Brings joints to the pose at `at.u`, which stays; false if that takes more than a few steps.
   [[nodiscard]] bool settle(Point& at) const {
     for (int i = 0; i < most_steps; ++i) {
-      const Values step = solved<6>(arm_.jacobian(at.q), miss(at));
+      const Values step = detail::LinearSystem<6>(arm_.jacobian(at.q)).solve(miss(at));
       const double size = step.cwiseAbs().maxCoeff();
       if (!(size < longest_step)) return false;
       at.q += step;
@@ -59,7 +59,7 @@ class Equations {
     for (int i = 0; i < most_steps; ++i) {
       Direction right;
       right << miss(at), 0;
-      const Direction step = solved<7>(matrix(at, direction), right);
+      const Direction step = detail::LinearSystem<7>(matrix(at, direction)).solve(right);
       const double size = step.cwiseAbs().maxCoeff();
       if (!(size < longest_step)) return false;
       at = moved(at, step, 1);
@@ -72,13 +72,13 @@ class Equations {
   [[nodiscard]] Direction direction(const Point& at, const Direction& like) const {
     Direction right = Direction::Zero();
     right[6] = 1;
-    return solved<7>(matrix(at, like), right).normalized();
+    return detail::LinearSystem<7>(matrix(at, like)).solve(right).normalized();
   }
 
   /// The direction with a rising or falling path coordinate; joints have to be regular.
   [[nodiscard]] Direction direction(const Point& at, int sense) const {
     Direction result;
-    result << solved<6>(arm_.jacobian(at.q), piece_.rate(at.u)) * scale_, 1;
+    result << detail::LinearSystem<6>(arm_.jacobian(at.q)).solve(piece_.rate(at.u)) * scale_, 1;
     return sense * result.normalized();
   }
 
