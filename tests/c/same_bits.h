@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// C's numbers against those of Eigen's types, and random arguments. What is done with numbers is compiled
+// once for a scalar, not for each of a robot's many types.
 #pragma once
 
 #include <cmath>
@@ -10,19 +12,25 @@
 #include <gtest/gtest.h>
 #include <qvgen/inverse_velocity_within.h>
 
-/// A matrix of C's, row by row, and one of Eigen's of that size.
-template <class Derived, class Entry>
-void expect_same_bits(const Eigen::MatrixBase<Derived>& cxx, const Entry* c) {
-  using Scalar = typename Derived::Scalar;
-  const auto* entries = reinterpret_cast<const Scalar*>(c);
-  for (Eigen::Index row = 0; row < cxx.rows(); ++row)
-    for (Eigen::Index column = 0; column < cxx.cols(); ++column) {
-      const Scalar expected = cxx(row, column);
-      const Scalar given = entries[row * cxx.cols() + column];
+/// Eigen's numbers are column by column, C's row by row.
+template <class Scalar>
+void expect_same_numbers(const Scalar* cxx, Eigen::Index rows, Eigen::Index columns, const Scalar* c) {
+  for (Eigen::Index row = 0; row < rows; ++row)
+    for (Eigen::Index column = 0; column < columns; ++column) {
+      const Scalar expected = cxx[column * rows + row];
+      const Scalar given = c[row * columns + column];
       ASSERT_TRUE(std::isfinite(given));
       ASSERT_EQ(std::memcmp(&expected, &given, sizeof given), 0)
           << row << ", " << column << ": " << expected << " and " << given;
     }
+}
+
+/// A matrix of C's, row by row, and one of Eigen's of that size.
+template <class Derived, class Entry>
+void expect_same_bits(const Eigen::PlainObjectBase<Derived>& cxx, const Entry* c) {
+  static_assert(!Derived::IsRowMajor || Derived::IsVectorAtCompileTime);
+  using Scalar = typename Derived::Scalar;
+  expect_same_numbers(cxx.data(), cxx.rows(), cxx.cols(), reinterpret_cast<const Scalar*>(c));
 }
 
 template <class Scalar>
@@ -30,13 +38,17 @@ void expect_same_bits(Scalar cxx, Scalar c) {
   ASSERT_EQ(std::memcmp(&cxx, &c, sizeof c), 0) << cxx << " and " << c;
 }
 
+template <class Scalar>
+void draw(std::mt19937& random, Scalar* begin, const Scalar* end) {
+  std::uniform_real_distribution<Scalar> number(-4, 4);
+  for (Scalar* entry = begin; entry != end; ++entry) *entry = number(random);
+}
+
 /// A vector of Eigen's with any numbers.
 template <class Vector>
 Vector any(std::mt19937& random) {
-  using Scalar = typename Vector::Scalar;
-  std::uniform_real_distribution<Scalar> number(-4, 4);
   Vector result;
-  for (Scalar& entry : result) entry = number(random);
+  draw(random, result.data(), result.data() + result.size());
   return result;
 }
 

@@ -19,7 +19,7 @@ TEST(QuadInC, GivesWhatCppGives) {
     const Quaternion<double>& r = m.at.base.orientation;
     const Eigen::Vector3d& p = m.at.base.position;
     const double base[7] = {r.w(), r.x(), r.y(), r.z(), p.x(), p.y(), p.z()};
-    Vector found;
+    Rates found;
     quad_inverse_dynamics(base, m.at.q.data(), m.qd.data(), m.qdd.data(), geometry, inertia, g, found.data());
     expect_close(found, quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, g));
     quad_forward_dynamics(base, m.at.q.data(), m.qd.data(), m.force.data(), geometry, inertia, g,
@@ -29,7 +29,8 @@ TEST(QuadInC, GivesWhatCppGives) {
                 quad::potential_energy(m.at, {}, {}, g), 1e-11);
     double mass[quad::velocity_size][quad::velocity_size];
     quad_mass_matrix(base, m.at.q.data(), geometry, inertia, mass);
-    expect_close(Eigen::Map<const Matrix>(&mass[0][0]), quad::mass_matrix(m.at));  // symmetric
+    expect_close(Eigen::Map<const Matrix>(&mass[0][0], quad::velocity_size, quad::velocity_size),
+                 quad::mass_matrix(m.at));  // symmetric
   }
 }
 

@@ -32,7 +32,7 @@ TEST(Tips, AreTheReferences) {
       expect_close(tips[i].pose.isometry().matrix(), pose.matrix());
       expect_close(quad::tip_pose(static_cast<quad::Tip>(i), m.at).isometry().matrix(), pose.matrix());
       expect_close(tips[i].jacobian,
-                   (reference::jacobian_of(reference_chain(), frame, m.q_of_joints) * m.back).eval());
+                   product(reference::jacobian_of(reference_chain(), frame, m.q_of_joints), m.back));
     }
   }
 }
@@ -45,8 +45,10 @@ TEST(Tips, BiasIsTheAccelerationAtConstantVelocities) {
     const auto before = quad::tip_motions(integrated(m.at, -time * m.qd), m.qd);
     const auto behind = quad::tip_motions(integrated(m.at, time * m.qd), m.qd);
     const auto now = quad::tip_motions(m.at, m.qd);
-    for (std::size_t i = 0; i < now.size(); ++i)
-      expect_close(now[i].bias, ((behind[i].jacobian - before[i].jacobian) * m.qd / (2 * time)).eval(), 1e-7);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Matrix change = behind[i].jacobian - before[i].jacobian;
+      expect_close(now[i].bias, product(change, m.qd) / (2 * time), 1e-7);
+    }
   }
 }
 
@@ -68,7 +70,7 @@ TEST(Tips, RelativeJacobianIsTheVelocityThatOneTipSeesOfAnother) {
     const auto moved = quad::tip_motions(integrated(m.at, t * m.qd), m.qd);
     return moved[0].pose.inverse() * moved[3].pose;
   };
-  const Eigen::Matrix<double, 6, 1> twist = relative_jacobian(tips[0], tips[3]) * m.qd;
+  const Vector twist = product(relative_jacobian(tips[0], tips[3]), m.qd);
   const Eigen::Vector3d rate = (seen(time).position - seen(-time).position) / (2 * time);
   EXPECT_LE((twist.head<3>() - rate).norm(), 1e-8);
   const auto still = relative_jacobian(tips[0], tips[3]);
@@ -81,7 +83,8 @@ TEST(Tips, WrenchesAreGeneralisedForcesByPower) {
   const auto tip = quad::tip_motion(quad::Tip::fr_foot, m.at, m.qd);
   Eigen::Matrix<double, 6, 1> wrench;
   wrench << 3, -2, 50, 1, 2, -1;
-  EXPECT_NEAR(generalised_force(tip, wrench).dot(m.qd), wrench.dot(tip.jacobian * m.qd), 1e-11);
+  const Vector force = generalised_force(tip, wrench), moves = product(tip.jacobian, m.qd);
+  EXPECT_NEAR(force.dot(Vector(m.qd)), Vector(wrench).dot(moves), 1e-11);
 }
 
 struct Stance {
@@ -89,13 +92,13 @@ struct Stance {
       : m(seed),
         tips(quad::tip_motions(m.at, m.qd)),
         matrix(quad::mass_matrix(m.at)),
-        mass(matrix, quad::mass_matrix_parents),
+        mass(quad::mass_matrix(m.at), quad::mass_matrix_parents),
         force(m.force - quad::coriolis_torque(m.at, m.qd) - quad::gravity_torque(m.at, {}, {}, g)) {}
   QuadMotion m;
   std::array<TipMotion<double, quad::velocity_size>, quad::tip_count> tips;
   Matrix matrix;
   Mass mass;
-  Vector force;
+  Rates force;
 };
 
 /// Every subset of the feet, points or rigid: the feet do not accelerate, and Newton holds.
@@ -112,13 +115,11 @@ TEST(Contacts, KeepEverySubsetOfFeetInPlace) {
         rest /= 3;
       }
       const auto found = contacts.forward_dynamics(s.mass, s.force);
-      const auto jacobian = contacts.jacobian();
-      expect_close((s.matrix * found.qdd).eval(), (s.force + jacobian.transpose() * found.forces).eval(),
-                   1e-9);
+      const Matrix jacobian = contacts.jacobian(), bias = contacts.bias();
+      expect_close(product(s.matrix, found.qdd), s.force + product(jacobian.transpose(), found.forces), 1e-9);
       // A leg has three joints: each rigid foot takes six motions of the base and its leg.
       if (contacts.rows() > 0 && found.status != ContactStatus::contradictory) {
-        EXPECT_LE((jacobian * found.qdd + contacts.bias()).norm(), 1e-6 * (1 + contacts.bias().norm()))
-            << subset;
+        EXPECT_LE((product(jacobian, found.qdd) + bias).norm(), 1e-6 * (1 + bias.norm())) << subset;
       }
       const bool is_full = found.rank == contacts.rows();
       EXPECT_EQ(found.status == ContactStatus::solved, is_full) << subset;
@@ -158,7 +159,7 @@ TEST(Contacts, InvalidArgumentsAreMarkedAndGiveNoNaN) {
   Stance s(9);
   Contacts contacts;
   contacts.add(s.tips[1], ContactKind::rigid);
-  Vector force = s.force;
+  Rates force = s.force;
   force[4] = std::numeric_limits<double>::quiet_NaN();
   const auto found = contacts.forward_dynamics(s.mass, force);
   EXPECT_EQ(found.status, ContactStatus::invalid);
@@ -185,12 +186,12 @@ TEST(Contacts, ImpactsStopFeetTakeEnergyAndBounceThemBack) {
     contacts.add(s.tips[0], ContactKind::point);
     contacts.add(s.tips[3], ContactKind::rigid);
     const auto stopped = contacts.impact(s.mass, s.m.qd);
-    EXPECT_LE((contacts.jacobian() * stopped.qdd).norm(), 1e-9);
-    const auto energy = [&](const Vector& qd) { return qd.dot(s.matrix * qd) / 2; };
+    EXPECT_LE(product(contacts.jacobian(), stopped.qdd).norm(), 1e-9);
+    const auto energy = [&](const Vector& qd) { return qd.dot(Vector(product(s.matrix, qd))) / 2; };
     EXPECT_LT(energy(stopped.qdd), energy(s.m.qd));
     const auto bounced = contacts.impact(s.mass, s.m.qd, 1);
     EXPECT_NEAR(energy(bounced.qdd), energy(s.m.qd), 1e-9 * energy(s.m.qd));
-    EXPECT_LE((contacts.jacobian() * (bounced.qdd + s.m.qd)).norm(), 1e-8);
+    EXPECT_LE(product(contacts.jacobian(), bounced.qdd + s.m.qd).norm(), 1e-8);
   }
 }
 
@@ -201,17 +202,17 @@ TEST(Contacts, OperationalSpaceInertiaIsWhatATipFeels) {
   int rank = 0;
   const auto inertia = contacts.operational_space_inertia(s.mass, &rank);
   EXPECT_EQ(rank, 6);
-  const Eigen::MatrixXd jacobian = contacts.jacobian();
-  const Eigen::MatrixXd inverse = jacobian * s.matrix.ldlt().solve(jacobian.transpose());
-  EXPECT_LE((inertia * inverse - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-8);
+  const Matrix jacobian = contacts.jacobian();
+  const Matrix inverse = product(jacobian, product(reference::inverse(s.matrix), jacobian.transpose()));
+  EXPECT_LE((product(inertia, inverse) - Matrix::Identity(6, 6)).norm(), 1e-8);
 }
 
 TEST(Contacts, TheReadmesStepKeepsFeetInPlace) {
   const QuadMotion m(11);
   At at = m.at;
-  Vector qd = Vector::Zero();
+  Rates qd = Rates::Zero();
   const auto before = quad::tip_pose(quad::Tip::fl_foot, at);
-  for (int k = 0; k < 20; ++k) EXPECT_TRUE(::step(at, qd, Vector::Zero()));
+  for (int k = 0; k < 20; ++k) EXPECT_TRUE(::step(at, qd, Rates::Zero()));
   EXPECT_LE(linear_distance(before, quad::tip_pose(quad::Tip::fl_foot, at)), 1e-3);
   EXPECT_GT(difference(m.at, at).norm(), 1e-3);
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include <gtest/gtest.h>
 #include <qvgen/base_conventions.h>
 #include <qvgen/branch_factorisation.h>
 #include <qvgen/centroidal.h>
@@ -16,14 +17,17 @@
 
 #include "base_motion.h"
 #include "reference/dynamics.h"
+#include "reference/linear_algebra.h"
 #include "reference/load.h"
 
 namespace qvgen::test::floating {
 
 namespace quad = qvgen::robots::quad;
 using At = quad::Configuration<double>;
-using Vector = quad::Velocity<double>;
-using Matrix = Eigen::Matrix<double, quad::velocity_size, quad::velocity_size>;
+using Rates = quad::Velocity<double>;  ///< or forces: what the robot's functions take
+using Vector = Eigen::VectorXd;        ///< what is computed with, compiled once for all sizes
+using Matrix = Eigen::MatrixXd;
+using reference::product;
 
 inline std::string text_of(const std::string& file) {
   std::stringstream text;
@@ -60,7 +64,7 @@ struct QuadMotion {
     at.q = joints;
     qd << base.velocity, rates;
     qdd << base.acceleration, accelerations;
-    force = Vector::NullaryExpr([&] { return 10 * unit(random); });
+    force = Rates::NullaryExpr([&] { return 10 * unit(random); });
     q_of_joints = trees::joined(base.q, joints);
     qd_of_joints = trees::joined(base.qd, rates);
     qdd_of_joints = trees::joined(base.qdd, accelerations);
@@ -71,7 +75,7 @@ struct QuadMotion {
 
   trees::BaseMotion base;
   At at;
-  Vector qd, qdd, force;
+  Rates qd, qdd, force;
   Eigen::VectorXd q_of_joints, qd_of_joints, qdd_of_joints;
   Eigen::MatrixXd back;
 };
@@ -83,9 +87,8 @@ inline const reference::Chain& reference_chain() {
 
 inline constexpr double g = 9.81;  ///< m/s^2, as the reference has it
 
-template <class A, class B>
-void expect_close(const A& a, const B& b, double tolerance = 1e-12) {
-  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance * (1 + b.cwiseAbs().maxCoeff()));
+inline void expect_close(const Matrix& a, const Matrix& b, double tolerance = 1e-12) {
+  EXPECT_LE(reference::largest(a - b), tolerance * (1 + reference::largest(b)));
 }
 
 }  // namespace qvgen::test::floating

@@ -3,8 +3,9 @@
 // of the base; laws of momentum and energy of the robot in flight.
 #include "quad.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <set>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace qvgen::test::floating {
@@ -23,13 +24,14 @@ TEST(Quad, EveryFunctionIsTheReference) {
     const Vector gravity = quad::gravity_torque(m.at, {}, {}, g);
     expect_close(gravity, reference_torque(zero, zero));
     const Matrix mass = quad::mass_matrix(m.at), c = quad::coriolis_matrix(m.at, m.qd);
-    expect_close(mass, (m.back.transpose() * reference::mass_matrix(chain, m.q_of_joints) * m.back).eval());
-    expect_close(quad::momentum_matrix(m.at), mass.topRows<6>().eval());
+    expect_close(mass,
+                 product(m.back.transpose(), product(reference::mass_matrix(chain, m.q_of_joints), m.back)));
+    expect_close(quad::momentum_matrix(m.at), mass.topRows(6));
     const Vector coriolis = quad::coriolis_torque(m.at, m.qd);
-    expect_close((c * m.qd).eval(), coriolis);
-    expect_close((mass * m.qdd + coriolis + gravity).eval(), torque);
+    expect_close(product(c, m.qd), coriolis);
+    expect_close(product(mass, m.qdd) + coriolis + gravity, torque);
     const Vector qdd = quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, g);
-    expect_close((mass * qdd).eval(), (m.force - coriolis - gravity).eval(), 1e-11);
+    expect_close(product(mass, qdd), Vector(m.force) - coriolis - gravity, 1e-11);
     EXPECT_NEAR(quad::kinetic_energy(m.at, m.qd),
                 reference::kinetic_energy(chain, m.q_of_joints, m.qd_of_joints), 1e-11);
     EXPECT_NEAR(quad::potential_energy(m.at, {}, {}, g), reference::potential_energy(chain, m.q_of_joints),
@@ -38,23 +40,24 @@ TEST(Quad, EveryFunctionIsTheReference) {
 }
 
 TEST(Quad, MassMatrixIsPositiveAndZeroWhereItsListSaysSo) {
-  Eigen::Matrix<bool, quad::velocity_size, quad::velocity_size> listed =
-      Eigen::Matrix<bool, quad::velocity_size, quad::velocity_size>::Zero();
-  for (const auto& [row, column] : quad::mass_matrix_nonzeros)
-    listed(row, column) = listed(column, row) = true;
+  std::set<std::pair<int, int>> listed;
+  for (const auto& [row, column] : quad::mass_matrix_nonzeros) {
+    listed.emplace(row, column);
+    listed.emplace(column, row);
+  }
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const QuadMotion m(seed);
     const Matrix mass = quad::mass_matrix(m.at);
-    EXPECT_EQ(mass, mass.transpose());
+    EXPECT_TRUE(mass == mass.transpose());
     for (int i = 0; i < quad::velocity_size; ++i)
       for (int k = 0; k < quad::velocity_size; ++k)
-        if (!listed(i, k)) {
+        if (listed.count({i, k}) == 0) {
           EXPECT_EQ(mass(i, k), 0);
         }
-    EXPECT_GT(mass.ldlt().vectorD().minCoeff(), 0);
-    const BranchFactorisation factors(mass, quad::mass_matrix_parents);
+    EXPECT_GT(reference::pivots(mass).minCoeff(), 0);
+    const BranchFactorisation factors(quad::mass_matrix(m.at), quad::mass_matrix_parents);
     EXPECT_TRUE(factors.is_positive());
-    expect_close((mass * factors.solve(m.force)).eval(), m.force);
+    expect_close(product(mass, factors.solve(m.force)), m.force);
   }
 }
 
@@ -64,8 +67,8 @@ TEST(Quad, JointsMoveNeitherTheCentreOfMassNorTheMomentum) {
     QuadMotion m(seed);
     m.force.head<6>().setZero();
     const auto c = centroidal(m.at, quad::momentum_matrix(m.at));
-    const Vector qdd = quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, g);
-    const Vector coriolis = quad::coriolis_torque(m.at, m.qd);
+    const Rates qdd = quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, g);
+    const Rates coriolis = quad::coriolis_torque(m.at, m.qd);
     const Eigen::Matrix<double, 6, 1> rate = c.momentum_rate(qdd, coriolis);
     EXPECT_LE((c.acceleration(qdd, coriolis) - Eigen::Vector3d(0, 0, -g)).norm(), 1e-11);
     EXPECT_LE(rate.tail<3>().norm(), 1e-10);
@@ -80,16 +83,16 @@ TEST(Quad, CentreOfMassIsTheReferences) {
     EXPECT_NEAR(c.mass, reference::total_mass(chain), 1e-12);
     expect_close(c.centre, reference::centre_of_mass(chain, m.q_of_joints));
     const Eigen::MatrixXd by_joints = reference::centre_of_mass_jacobian(chain, m.q_of_joints);
-    expect_close(c.jacobian(), (by_joints * m.back).eval());
-    expect_close(c.velocity(m.qd), (by_joints * m.qd_of_joints).eval());
-    expect_close(c.momentum(m.qd).head<3>().eval(), (c.mass * c.velocity(m.qd)).eval());
+    expect_close(c.jacobian(), product(by_joints, m.back));
+    expect_close(c.velocity(m.qd), product(by_joints, m.qd_of_joints));
+    expect_close(c.momentum(m.qd).head<3>(), c.mass * c.velocity(m.qd));
   }
 }
 
 /// The classical steps of fourth order, the quaternion as four numbers.
 struct State {
   Eigen::Matrix<double, 7 + quad::dof, 1> position;
-  Vector qd;
+  Rates qd;
 };
 
 At configuration(const State& s) {
@@ -98,7 +101,7 @@ At configuration(const State& s) {
   return at;
 }
 
-State rate(const State& s, const Vector& force) {
+State rate(const State& s, const Rates& force) {
   const At at = configuration(s);
   const Quaternion<double> half_rate(0, s.qd[3] / 2, s.qd[4] / 2, s.qd[5] / 2);
   const Quaternion<double> turning = at.base.orientation * half_rate;
@@ -113,7 +116,7 @@ State moved(const State& s, double time, const State& by) {
   return {s.position + time * by.position, s.qd + time * by.qd};
 }
 
-State step(const State& s, double time, const Vector& force) {
+State step(const State& s, double time, const Rates& force) {
   const State a = rate(s, force), b = rate(moved(s, time / 2, a), force);
   const State c = rate(moved(s, time / 2, b), force), d = rate(moved(s, time, c), force);
   return moved(moved(moved(moved(s, time / 6, a), time / 3, b), time / 3, c), time / 6, d);
@@ -127,12 +130,12 @@ TEST(Quad, MomentumAndEnergyOfFlightAreConstant) {
   };
   const Eigen::Matrix<double, 6, 1> before = momentum(s);
   const double energy = quad::kinetic_energy(m.at, m.qd);
-  for (int k = 0; k < 500; ++k) s = step(s, 5e-4, Vector::Zero());
+  for (int k = 0; k < 500; ++k) s = step(s, 5e-4, Rates::Zero());
   EXPECT_LE((momentum(s) - before).norm(), 1e-8 * before.norm());
   EXPECT_NEAR(quad::kinetic_energy(configuration(s), s.qd), energy, 1e-8 * energy);
   EXPECT_GT((s.position - MuJoCo::position(m.at)).norm(), 0.5);  // it has moved
   // Torques of joints change the energy, not the momentum.
-  Vector force = Vector::Zero();
+  Rates force = Rates::Zero();
   force.tail<quad::dof>().setConstant(1);
   State driven{MuJoCo::position(m.at), m.qd};
   for (int k = 0; k < 200; ++k) driven = step(driven, 5e-4, force);

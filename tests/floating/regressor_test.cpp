@@ -47,14 +47,14 @@ TEST(QuadRegressor, GivesTheReferencesForcesForAnyInertias) {
     const auto parameters = quad::base_parameters(standard_parameters(chain));
     const Vector expected =
         m.to_base(reference::inverse_dynamics(chain, m.q_of_joints, m.qd_of_joints, m.qdd_of_joints));
-    expect_close((quad::regressor(m.at, m.qd, m.qdd, {}, {}, g) * parameters).eval(), expected, 1e-11);
+    expect_close(product(quad::regressor(m.at, m.qd, m.qdd, {}, {}, g), parameters), expected, 1e-11);
   }
 }
 
 TEST(QuadRegressor, OfTheDescriptionsInertiasGivesInverseDynamics) {
   const QuadMotion m(3);
   const auto parameters = quad::base_parameters(standard_parameters(reference_chain()));
-  expect_close((quad::regressor(m.at, m.qd, m.qdd, {}, {}, g) * parameters).eval(),
+  expect_close(product(quad::regressor(m.at, m.qd, m.qdd, {}, {}, g), parameters),
                quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, g), 1e-11);
 }
 
@@ -79,7 +79,7 @@ TEST(QuadUnderGravityOfAnyDirection, IsTheReference) {
     const auto forces = [&](const Eigen::VectorXd& qd, const Eigen::VectorXd& qdd) {
       return m.to_base(reference::inverse_dynamics(chain, m.q_of_joints, qd, qdd, -falling));
     };
-    const Vector torque = quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, falling);
+    const Rates torque = quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, falling);
     expect_close(torque, forces(m.qd_of_joints, m.qdd_of_joints));
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(quad::velocity_size);
     expect_close(quad::gravity_torque(m.at, {}, {}, falling), forces(zero, zero));

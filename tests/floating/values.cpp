@@ -31,8 +31,8 @@ int main() {
   std::printf("\n");
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const QuadMotion m(seed);
-    const Vector coriolis = quad::coriolis_torque(m.at, m.qd);
-    const Vector found = quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, gravity);
+    const Rates coriolis = quad::coriolis_torque(m.at, m.qd);
+    const Rates found = quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, gravity);
     const auto c = centroidal(m.at, quad::momentum_matrix(m.at));
     write("pinocchio_position", Pinocchio::position(m.at));
     write("mujoco_position", MuJoCo::position(m.at));
@@ -41,7 +41,7 @@ int main() {
     write("acceleration", m.qdd);
     write("mujoco_acceleration", MuJoCo::acceleration(m.at, m.qd, m.qdd));
     write("force", m.force);
-    const Vector torque = quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, gravity);
+    const Rates torque = quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, gravity);
     write("inverse_dynamics", torque);
     write("mujoco_inverse_dynamics", MuJoCo::force(m.at, torque));
     write("gravity", quad::gravity_torque(m.at, {}, {}, gravity));

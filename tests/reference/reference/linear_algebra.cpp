@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reference/linear_algebra.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -27,6 +30,20 @@ Eigen::Index rank(const Eigen::MatrixXd& m, double share) {
 double determinant(const Eigen::MatrixXd& m) { return m.determinant(); }
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) { return m.inverse(); }
+
+Eigen::VectorXd pivots(const Eigen::MatrixXd& m) { return m.ldlt().vectorD(); }
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a * b; }
+
+double largest(const Eigen::MatrixXd& m) {
+  double result = 0;
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    const double size = std::abs(m.data()[i]);
+    if (std::isnan(size)) return size;
+    result = std::max(result, size);
+  }
+  return result;
+}
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);

@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 
-/// Decompositions that many tests ask for, compiled once: Eigen's templates take seconds in every file.
+/// Decompositions and products that many tests ask for, compiled once: Eigen's templates take seconds in
+/// every file.
 namespace reference {
 
 /// m = u diag(values) v^T; values fall, u and v are square.
@@ -20,6 +21,13 @@ Eigen::Index rank(const Eigen::MatrixXd& m, double share);
 
 double determinant(const Eigen::MatrixXd& m);
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& m);
+/// Returns D of m = L D L^T with rows exchanged, m symmetric: positive numbers if and only if m is positive
+/// definite.
+Eigen::VectorXd pivots(const Eigen::MatrixXd& m);
+/// Returns a b; matrices of fixed sizes become these.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// Returns the largest magnitude of an entry, zero without any, NaN if there is one.
+double largest(const Eigen::MatrixXd& m);
 
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
