@@ -26,7 +26,11 @@ struct Task {
 
 /// Returns the whole robot behind the tasks of its limbs.
 Task task_of_whole(const description::ReadResult& result, const std::vector<Task>& limbs) {
-  report::WholeRobot whole{result.robot->name, result.robot->title, tree_lines(result), {}};
+  report::WholeRobot whole{result.robot->name,
+                           result.robot->title,
+                           tree_lines(result),
+                           {},
+                           result.robot->floating_base.has_value()};
   for (const Task& limb : limbs) whole.limbs.push_back(limb.robot);
   return {*result.robot, limbs.front().origin, pipeline::fingerprint(limbs.front().key + " whole"), whole};
 }

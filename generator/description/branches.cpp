@@ -25,6 +25,8 @@ void read_parent(const Table& table, model::Robot& robot) {
   const std::string name = table.text("parent").value_or("");
   const std::size_t joint = robot.joints.size() - 1;
   std::vector<std::string> names;
+  if (const auto whole = table.context().composed.find(name); whole != table.context().composed.end())
+    return model::set_parent(robot, joint, whole->second);
   for (std::size_t i = 0; i < joint; ++i) {
     if (robot.joints[i].variable == name) return model::set_parent(robot, joint, i);
     names.push_back(robot.joints[i].variable);

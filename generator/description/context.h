@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,8 @@ struct Context {
   std::vector<Variable> constants_in_place_of_variables;
   std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
-  Place base_place;  ///< of a base that floats
+  std::map<std::string, std::size_t> composed;  ///< joints of several parts: index of the last part
+  Place base_place;                             ///< of a base that floats
   std::vector<Follower> followers;
   std::vector<Place> motor_places;
   Units units;

@@ -49,6 +49,17 @@ void Table::allow_only(const std::vector<std::string>& keys) const {
   }
 }
 
+const toml::node* Table::find(const std::string& key) const {
+  const auto other = in_place_.find(key);
+  return other == in_place_.end() ? table_->get(key) : other->second;
+}
+
+Table Table::with(std::map<std::string, const toml::node*> values) const {
+  Table result = *this;
+  result.in_place_ = std::move(values);
+  return result;
+}
+
 const toml::node* Table::require(const std::string& key, const std::string& example) const {
   const toml::node* node = find(key);
   if (node == nullptr) context_->error(place(), "missing key '" + key + "' in " + title_, "add " + example);

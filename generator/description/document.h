@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,10 @@ class Table {
 
   /// Reports every key that is not among these.
   void allow_only(const std::vector<std::string>& keys) const;
-  [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
-  [[nodiscard]] const toml::node* find(const std::string& key) const { return table_->get(key); }
+  [[nodiscard]] bool has(const std::string& key) const { return find(key) != nullptr; }
+  [[nodiscard]] const toml::node* find(const std::string& key) const;
+  /// Returns the table as if these keys had these values; null: as if they were absent.
+  [[nodiscard]] Table with(std::map<std::string, const toml::node*> values) const;
   /// Like find, and a missing key is reported.
   const toml::node* require(const std::string& key, const std::string& example) const;
 
@@ -40,6 +43,7 @@ class Table {
   Context* context_;
   const toml::table* table_;
   std::string title_;
+  std::map<std::string, const toml::node*> in_place_;  ///< of what the table itself has
 };
 
 /// "a number", "an array", ... for messages.

@@ -154,29 +154,34 @@ std::vector<std::string> joint_keys(const std::vector<std::string>& more) {
   return keys;
 }
 
-std::optional<model::JointType> read_joint_type(const Table& table) {
+std::optional<model::JointType> read_joint_type(const Table& table,
+                                                const std::vector<std::string>& other_types) {
   const auto text = table.text("type");
   if (!text) return std::nullopt;
   if (*text == "revolute") return model::JointType::revolute;
   if (*text == "prismatic") return model::JointType::prismatic;
-  const std::string near = nearest(*text, {"revolute", "prismatic"});
+  std::vector<std::string> types{"revolute", "prismatic"};
+  types.insert(types.end(), other_types.begin(), other_types.end());
+  const std::string near = nearest(*text, types);
   table.context().error(
       table.place_of("type"), "unknown joint type '" + *text + "'",
       near.empty() ? "write \"revolute\" or \"prismatic\"" : "did you mean \"" + near + "\"?");
   return std::nullopt;
 }
 
+void add_variable(Context& context, const std::string& name, Place place) {
+  const NameProblem problem = check_identifier(name);
+  if (!problem.message.empty()) context.error(place, problem.message, problem.hint);
+  context.variables.push_back({name, place});
+}
+
 std::string read_variable(const Table& table) {
+  Context& context = table.context();
   std::string name = table.text("variable").value_or("");
-  if (table.has("variable")) {
-    const Place place = table.place_of("variable");
-    const NameProblem problem = check_identifier(name);
-    const bool is_text = table.find("variable")->is_string();
-    if (is_text && !problem.message.empty()) table.context().error(place, problem.message, problem.hint);
-    table.context().variables.push_back({name, place});
-  } else {
-    table.context().variables.push_back({"", table.place()});
-  }
+  if (table.has("variable") && table.find("variable")->is_string())
+    add_variable(context, name, table.place_of("variable"));
+  else
+    context.variables.push_back({name, table.place_of("variable")});
   return name;
 }
 

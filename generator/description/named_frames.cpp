@@ -49,6 +49,8 @@ std::size_t read_joint(const Table& table, const std::vector<model::Joint>& join
   if (joints.empty()) return 0;
   if (!table.has("joint")) return joints.size() - 1;
   const std::string name = table.text("joint").value_or("");
+  if (const auto whole = table.context().composed.find(name); whole != table.context().composed.end())
+    return whole->second;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (joints[i].variable == name) return i;

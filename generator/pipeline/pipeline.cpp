@@ -111,21 +111,9 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
   return true;
 }
 
-/// True if a product is not made yet for a base that floats.
-bool is_of_fixed_bases(const std::string& part, const model::Robot& robot, RobotOutput& output) {
-  static const std::vector<std::string> parts{"mass", "regressor_with_drives"};
-  if (!robot.floating_base || !contains(parts, part)) return false;
-  output.missing.push_back(
-      {part, Missing::Kind::not_described,
-       part == "mass" ? "the base floats: qvgen/centroidal.h has mass and centre, by momentum_matrix"
-                      : "the base floats: it is of fixed bases"});
-  return true;
-}
-
 RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
-  if (is_of_fixed_bases(product.part, robot, output)) return output;
   const auto make = comes_from_c(language) ? product.generate_c : product.generate;
   if (const std::string lack = lack_of(row_of(language), product.part);
       is_of_devices(language) && !lack.empty()) {
@@ -147,7 +135,6 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
                            const nlohmann::ordered_json& counts) {
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
-  if (is_of_fixed_bases(extra.part, robot, output)) return output;
   if (!extra.of_motors && !robot.motors.empty()) {
     output.missing.push_back(
         {extra.part, Missing::Kind::not_derived, "joints follow motors that are no joints themselves"});

@@ -62,11 +62,13 @@ json chain_data(const Chain& chain) {
 
 namespace {
 
-std::string calls_text(const model::Robot& robot, const InverseCall& inverse, bool has_measures) {
+std::string calls_text(const model::Robot& robot, const InverseCall& inverse, bool has_positions,
+                       bool has_measures) {
   return emit::render("report/live_calls.c", {{"name", robot.name},
                                               {"has_inverse", !inverse.function.empty()},
                                               {"function", inverse.function},
                                               {"given", !inverse.given.empty()},
+                                              {"has_positions", has_positions},
                                               {"has_measures", has_measures},
                                               {"geometry_size", robot.geometry.size() + 1}});
 }
@@ -79,7 +81,7 @@ int place_of(const model::Robot& robot, const std::string& variable) {
 }
 
 /// Returns a sentence on what the page cannot do for want of a library.
-std::string lacking(const CppFunctions& more) {
+std::string lacking_library(const CppFunctions& more) {
   if (!more.wanted() || more.module.done) return "";
   const std::string what = more.has_arm_angle ? "The arm angle is not shown" : "Not all solutions are shown";
   return what + ": " + escaped(more.module.reason) + ".";
@@ -87,7 +89,7 @@ std::string lacking(const CppFunctions& more) {
 
 Section page_part(const model::Robot& robot, const InverseCall& inverse, const CppFunctions& more,
                   const json& data) {
-  const std::string missing = lacking(more);
+  const std::string missing = lacking_library(more);
   return {"interactive", "Interactive view",
           emit::render("report/live.html", {{"data", data.dump()},
                                             {"name", escaped(robot.name)},
@@ -99,31 +101,33 @@ Section page_part(const model::Robot& robot, const InverseCall& inverse, const C
                                             {"given", escaped(typeset(inverse.given))}})};
 }
 
-Section without(const std::string& reason) {
+LiveArm lacking(const std::string& reason) { return {{}, {}, {}, reason}; }
+
+}  // namespace
+
+Section still_section(const std::string& reason) {
   return {"interactive", "Interactive view",
           "<p class=\"note\">This page is still: " + escaped(reason) + ".</p>\n"};
 }
 
-}  // namespace
-
-Section live_section(const model::Robot& robot, const toolchain::Runtime* runtime) {
-  if (!robot.motors.empty()) return without("its joints follow motors");
-  if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
+LiveArm live_arm(const model::Robot& robot, const toolchain::Runtime* runtime) {
+  if (!robot.motors.empty()) return lacking("its joints follow motors");
+  if (const std::string missing = missing_compiler(); !missing.empty()) return lacking(missing);
   const pipeline::RobotOutput output = pipeline::generate_page_functions(robot, pipeline::own_budget());
   std::map<std::string, std::string> files = files_of(output);
-  const std::string& header = files["qvgen_" + robot.name + ".h"];
-  const auto declares = [&](const char* function) {
-    return header.find(robot.name + "_" + function + "(") != std::string::npos;
+  const auto declares = [&](const std::string& header, const std::string& function) {
+    return files["qvgen_" + robot.name + header].find(robot.name + "_" + function + "(") != std::string::npos;
   };
-  if (!declares("jacobian")) return without("the robot has no C functions");
+  if (!declares(".h", "jacobian")) return lacking("the robot has no C functions");
   constexpr std::size_t most_with_one_given = 7;  // the page has a slider for one
   const bool has_inverse =
       robot.joints.size() <= most_with_one_given && files.count("qvgen_" + robot.name + "_inverse.h") > 0;
   const InverseCall in_c = has_inverse ? inverse_call(output) : InverseCall{};
-  const bool has_measures = declares("singularity_measures");
-  files["calls.c"] = calls_text(robot, in_c, has_measures);
+  const bool has_positions = in_c.given.empty() && declares("_inverse.h", in_c.function + "_of_position");
+  const bool has_measures = declares(".h", "singularity_measures");
+  files["calls.c"] = calls_text(robot, in_c, has_positions, has_measures);
   const Compiled compiled = to_webassembly(files);
-  if (!compiled.done) return without(compiled.reason);
+  if (!compiled.done) return lacking(compiled.reason);
   const CppFunctions more = cpp_functions(robot, !in_c.function.empty(), runtime);
   const InverseCall& inverse = in_c.function.empty() && more.module.done ? more.inverse : in_c;
   json data = chain_data(chain_of(robot));
@@ -132,21 +136,33 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
   data["given"] = place_of(robot, inverse.given);
   data["module"] = base64(compiled.bytes);
   if (more.module.done) data["cpp"] = base64(more.module.bytes);
-  return page_part(robot, inverse, more, data);
+  return {data, inverse, more, ""};
 }
 
-std::string drawing_script() {
+Section live_section(const model::Robot& robot, const toolchain::Runtime* runtime) {
+  const LiveArm arm = live_arm(robot, runtime);
+  return arm.lacking.empty() ? page_part(robot, arm.inverse, arm.more, arm.data) : still_section(arm.lacking);
+}
+
+namespace {
+
+std::string assets(const std::vector<std::string>& names) {
   std::string all;
-  for (const char* name : {"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js"})
-    all += asset(name);
+  for (const std::string& name : names) all += asset(name);
   return all;
+}
+
+}  // namespace
+
+std::string drawing_script() {
+  return assets({"live_motion.js", "live_arm.js", "live_view.js", "live_panel.js"});
 }
 
 std::string live_script() {
-  std::string all = drawing_script();
-  for (const char* name : {"live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"})
-    all += asset(name);
-  return all;
+  return drawing_script() +
+         assets({"live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"});
 }
+
+std::string whole_script() { return drawing_script() + assets({"live_hand.js", "live_whole.js"}); }
 
 }  // namespace qvgen::report

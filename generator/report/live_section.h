@@ -6,9 +6,23 @@
 #include "model/robot.h"
 #include "report/chain.h"
 #include "report/html.h"
+#include "report/live_functions.h"
 #include "toolchain/generated.h"
 
 namespace qvgen::report {
+
+/// What scripts take to move an arm, with its functions; `lacking` says why there is nothing, if it is not
+/// empty.
+struct LiveArm {
+  nlohmann::json data;
+  InverseCall inverse;
+  CppFunctions more;
+  std::string lacking;
+};
+LiveArm live_arm(const model::Robot& robot, const toolchain::Runtime* runtime);
+
+/// A section that says why it moves nothing.
+Section still_section(const std::string& reason);
 
 /// The arm to be moved by hand, computed by its own generated functions; or what it takes to have that. Those
 /// that are generated in C++ alone are compiled with the runtime's sources, if they are given.
@@ -21,7 +35,8 @@ nlohmann::json chain_data(const Chain& chain);
 /// The scripts that draw an arm.
 std::string drawing_script();
 
-/// The scripts of that section.
+/// The scripts of that section, and those of a whole robot's (whole_page.h).
 std::string live_script();
+std::string whole_script();
 
 }  // namespace qvgen::report

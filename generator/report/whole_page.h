@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page of a robot whose joints branch: drawn as a whole, with which joint carries which, and a way to the
-// page of each limb.
+// The page of a robot whose joints branch: drawn as a whole, its tips (and a base that floats) to be dragged,
+// with which joint carries which, and a way to the page of each limb.
 #pragma once
 
 #include <string>
@@ -15,6 +15,7 @@ struct WholeRobot {
   std::string name, title;
   std::vector<std::string> tree;    ///< lines that say which joint carries which
   std::vector<model::Robot> limbs;  ///< each has a page of its own
+  bool floats = false;              ///< the base moves freely
 };
 
 /// Returns the page NAME.html, a single file, and the robot's entry of the common pages.

@@ -1,28 +1,13 @@
 // The arm that is moved by hand.
 
-const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-
-/// The largest difference of two joint vectors, whole turns apart or not.
-const apart = (joints, a, b) =>
-  Math.max(...joints.map((joint, i) => Math.abs(joint.revolute ? wrapped(a[i] - b[i]) : a[i] - b[i])));
-
-/// Angles whole turns away, as near to those before as the joints' ranges allow.
-function unwound(joints, q, before) {
-  return q.map((value, i) => {
-    if (!joints[i].revolute) return value;
-    const near = before[i] + wrapped(value - before[i]);
-    return near >= joints[i].lower && near <= joints[i].upper ? near : value;
-  });
-}
-
-class Live {
+class Live extends ByHand {
   constructor(arm) {
+    super();
     this.arm = arm;
     this.joints = arm.data.joints;
     this.q = arm.data.start.slice();
     this.found = { verdict: "none", rows: [] };
     this.note = "";
-    this.held = -1;
     const signs = document.getElementById("branch-signs");
     this.signs = arm.armAngle ? armAngleSigns : signs ? JSON.parse(signs.textContent) : [];
     const canvas = document.getElementById("live-canvas");
@@ -165,8 +150,9 @@ class Live {
     return [number + (verdict === "solved" ? "" : ", " + verdict), ...meetings(this.signs, this.joints, rows), ...near].join("; ");
   }
 
-  redraw() {
-    drawAtNextFrame(this);
+  readColours() {
+    super.readColours();
+    this.gallery.readColours();
   }
 
   draw() {
@@ -205,35 +191,8 @@ class Live {
     if (place.textContent !== text) place.textContent = text;
   }
 
-  handleAt([x, y]) {
-    let best = -1, least = 14;
-    this.view.handles(this.target).forEach((point, k) => {
-      const [hx, hy] = this.camera.place(point);
-      const distance = Math.hypot(hx - x, hy - y) + (k === 0 ? 0 : 1);
-      if (distance < least) [best, least] = [k, distance];
-    });
-    return best;
-  }
-
-  drag(now, dx, dy) {
-    if (this.held < 0) {
-      this.camera.turn(0.008 * dx, 0.008 * dy);
-      return this.redraw();
-    }
-    if (this.held === 0) return this.moveTarget({ r: this.target.r, p: add(this.target.p, this.camera.way(dx, dy)) });
-    this.moveTarget({ r: this.turnedTo(now), p: this.target.p });
-  }
-
-  /// The target's rotation with the held axis pointing to a place of the picture.
-  turnedTo([x, y]) {
-    const axis = column(this.target.r, this.held - 1);
-    const length = 5 * this.view.radius;
-    const [bx, by] = this.camera.place(this.target.p);
-    const flat = this.camera.way(x - bx, y - by);
-    const rest = length * length - dot(flat, flat);
-    const depth = rest > 0 ? Math.sqrt(rest) * (this.camera.depth(axis) < 0 ? -1 : 1) : 0;
-    const wanted = unit(add(flat, scaled(depth, this.camera.toward)));
-    return product(turnFromTo(axis, wanted), this.target.r);
+  handleAt(place) {
+    return this.nearestHandle(this.view.handles(this.target), place, grip)[0];
   }
 }
 

@@ -2,6 +2,21 @@
 
 const verdicts = ["solved", "singular", "unreachable", "invalid", "incomplete"];
 
+const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+
+/// The largest difference of two joint vectors, whole turns apart or not.
+const apart = (joints, a, b) =>
+  Math.max(...joints.map((joint, i) => Math.abs(joint.revolute ? wrapped(a[i] - b[i]) : a[i] - b[i])));
+
+/// Angles whole turns away, as near to those before as the joints' ranges allow.
+function unwound(joints, q, before) {
+  return q.map((value, i) => {
+    if (!joints[i].revolute) return value;
+    const near = before[i] + wrapped(value - before[i]);
+    return near >= joints[i].lower && near <= joints[i].upper ? near : value;
+  });
+}
+
 /// The functions of a module, and its places for numbers that go in and out.
 async function loadModule(text, geometry) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -43,6 +58,7 @@ function rawFunctions(data, c, cpp) {
     jacobian: numbers("jacobian", 6 * dof),
     measures: c.calls.measures ? numbers("measures", data.measures.length) : () => [],
     solutions: solved(c.calls.solutions ? c : cpp, "solutions"),
+    positions: solved(c, "positions"),
     solutionsAtArmAngle: solved(cpp, "solutions_at_arm_angle"),
   };
   if (!cpp?.calls.arm_angle) return raw;
@@ -80,7 +96,9 @@ async function loadArm(data) {
   });
   /// With the seed's value of the joint that is given, if one is.
   const solutions = (target, seed) => named(raw.solutions(numbersOf(target), seed, data.given < 0 ? 0 : seed[data.given]));
-  const arm = { data, dof, raw, pose, jacobian, measures: raw.measures, solutions, ...numerics(data, pose, jacobian) };
+  /// Those that bring the tool to the target's position, however it is turned.
+  const positions = (target, seed) => named(raw.positions(numbersOf(target), seed, 0));
+  const arm = { data, dof, raw, pose, jacobian, measures: raw.measures, solutions, positions, ...numerics(data, pose, jacobian) };
   if (!raw.armAngle) return arm;
   arm.armAngle = raw.armAngle;
   arm.solutionsAt = (target, psi, seed) => named(raw.solutionsAtArmAngle(numbersOf(target), seed, psi));
@@ -126,16 +144,17 @@ function numerics(data, pose, jacobian) {
     return Math.sqrt(Math.max(solved(gram, vectors.map(() => 0)).determinant, 0));
   };
 
-  /// As near to the target as damped least squares lead from q within the joints' ranges.
-  const follow = (target, q) => {
+  /// As near to the target as damped least squares lead from q within the joints' ranges. `turning`: the way that a
+  /// turn of a radian is worth, 0 for positions alone; `still`: which joints stay.
+  const follow = (target, q, turning = data.size / 3, still = []) => {
     let at = q.slice();
     const length = data.size;
     for (let step = 0; step < 40; ++step) {
       const now = pose(at);
-      const error = [...subtract(target.p, now.p), ...scaled(length / 3, turnVector(product(target.r, transposed(now.r))))];
+      const error = [...subtract(target.p, now.p), ...scaled(turning, turnVector(product(target.r, transposed(now.r))))];
       const miss = Math.hypot(...error);
       if (miss < 1e-10 * length) break;
-      const j = jacobian(at).map((row, i) => (i < 3 ? row : row.map((value) => (value * length) / 3)));
+      const j = jacobian(at).map((row, i) => row.map((value, k) => (still[k] ? 0 : i < 3 ? value : value * turning)));
       const damping = Math.min(miss * 0.02 * length, 1e-2 * length * length) + 1e-12;
       const gram = at.map((_, a) => at.map((__, b) => j.reduce((sum, row) => sum + row[a] * row[b], a === b ? damping : 0)));
       const way = solved(gram, at.map((_, a) => j.reduce((sum, row, i) => sum + row[a] * error[i], 0))).x;

@@ -1,6 +1,54 @@
-// Moves of the arm by hand: pointer, keys, buttons, and paths that it starts.
+// Moves by hand: pointer, keys, buttons, and paths that it starts.
 
-function listen(live, canvas) {
+/// What is drawn and dragged. Subclasses have `view`, `camera`, `target`, `moveTarget`, `handleAt` and `draw`.
+class ByHand {
+  held = -1;  // 0: the target's ball, 1 to 3: the tip of an axis
+
+  redraw() {
+    drawAtNextFrame(this);
+  }
+
+  drag(now, dx, dy) {
+    if (this.held < 0) {
+      this.camera.turn(0.008 * dx, 0.008 * dy);
+      return this.redraw();
+    }
+    if (this.held === 0) return this.moveTarget({ r: this.target.r, p: add(this.target.p, this.camera.way(dx, dy)) });
+    this.moveTarget({ r: this.turnedTo(now), p: this.target.p });
+  }
+
+  /// The target's rotation with the held axis pointing to a place of the picture.
+  turnedTo([x, y]) {
+    const axis = column(this.target.r, this.held - 1);
+    const length = 5 * this.view.radius;
+    const [bx, by] = this.camera.place(this.target.p);
+    const flat = this.camera.way(x - bx, y - by);
+    const rest = length * length - dot(flat, flat);
+    const depth = rest > 0 ? Math.sqrt(rest) * (this.camera.depth(axis) < 0 ? -1 : 1) : 0;
+    const wanted = unit(add(flat, scaled(depth, this.camera.toward)));
+    return product(turnFromTo(axis, wanted), this.target.r);
+  }
+
+  /// Which of the target's handles is at a place of the picture, and how far away, if nearer than `least`.
+  nearestHandle(handles, [x, y], least) {
+    let best = -1;
+    handles.forEach((point, k) => {
+      const [hx, hy] = this.camera.place(point);
+      const distance = Math.hypot(hx - x, hy - y) + (k === 0 ? 0 : 1);
+      if (distance < least) [best, least] = [k, distance];
+    });
+    return [best, least];
+  }
+
+  readColours() {
+    this.view.readColours();
+  }
+}
+
+/// How near to a handle the pointer takes hold of it, in pixels.
+const grip = 14;
+
+function listenToHand(live, canvas) {
   let last = null;
   const at = (event) => {
     const box = canvas.getBoundingClientRect();
@@ -27,17 +75,20 @@ function listen(live, canvas) {
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("keydown", (event) => pressed(live, event));
   live.all.addEventListener("change", () => live.redraw());
+  new ResizeObserver(() => live.redraw()).observe(canvas);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    live.readColours();
+    live.redraw();
+  });
+}
+
+function listen(live, canvas) {
+  listenToHand(live, canvas);
   const path = {};
   const click = (id, action) => document.getElementById(id).addEventListener("click", action);
   click("live-zero", () => live.moveTo(live.joints.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper))));
   click("live-start", () => setStart(live, path));
   click("live-play", () => (path.q ? play(live, path) : setStart(live, path)));
-  new ResizeObserver(() => live.redraw()).observe(canvas);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    live.view.readColours();
-    live.gallery.readColours();
-    live.redraw();
-  });
 }
 
 function pressed(live, event) {

@@ -211,8 +211,9 @@ class View {
     const length = 5 * this.radius;
     return [target.p, ...[0, 1, 2].map((k) => add(target.p, scaled(length, column(target.r, k))))];
   }
-  target(target, held) {
-    const [ball, ...tips] = this.handles(target);
+  /// `count`: how many of the handles are drawn.
+  target(target, held, count = 4) {
+    const [ball, ...tips] = this.handles(target).slice(0, count);
     const dashes = [[2, 3], [6, 3], []];
     tips.forEach((tip, k) => this.line([ball, tip], this.colour.accent, 1.6, dashes[k]));
     [ball, ...tips].forEach((point, k) => {

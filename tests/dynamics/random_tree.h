@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -39,10 +40,15 @@ struct Seeds {
   unsigned first, end;
 };
 
+/// How universal, spherical and planar joints are written, if there are any: each as one joint, or as the
+/// turns and slides that it means.
+enum class Composed { none, as_one, written_out };
+
 /// Writes trees of joints as TOML.
 class TreeWriter {
  public:
-  explicit TreeWriter(unsigned seed) : random_(seed) {}
+  explicit TreeWriter(unsigned seed, Composed composed = Composed::none)
+      : random_(seed), composed_(composed) {}
 
   std::string tree(int joints, bool followers) {
     return head() + "[base]\n" + vector("translation") + turns() + limbs(joints, followers);
@@ -105,15 +111,44 @@ class TreeWriter {
                          : fmt::format("turns = [{{ axis = {}, angle = \"{}\" }}]\n", axis(),
                                        angles[static_cast<std::size_t>(below(6))]);
   }
-  /// A last link has a mass, others may have none.
+  /// A last link has a mass, others may have none; beside composed joints, whose parts may repeat a motion,
+  /// all have one.
   std::string joint(int i, int parent, bool last, bool followers) {
+    if (composed_ != Composed::none && i > 0 && below(3) == 0) return composed_joint(i, parent);
     std::string text = fmt::format("[[joint]]\ntype = \"{}\"\naxis = {}\nvariable = \"q{}\"\n",
                                    below(3) == 0 ? "prismatic" : "revolute", axis(), i);
-    if (i > 0) text += fmt::format("parent = \"{}\"\n", parent < 0 ? "base" : fmt::format("q{}", parent));
+    if (i > 0) text += parent_text(parent);
     if (followers && i > 0 && !last && below(4) == 0) text += "follows = \"q0\"\nratio = \"-3/2\"\n";
     text += vector("origin") + turns() + vector("link");
-    if (!last && below(4) == 0) return text;  // without mass
+    if (composed_ == Composed::none && !last && below(4) == 0) return text;  // without mass
     return text + inertia() + "rotor_inertia = 0.1\nviscous_friction = 0.2\n";
+  }
+  std::string parent_text(int parent) {
+    const std::string name = parent < 0 ? "base" : fmt::format("q{}", parent);
+    const auto part = last_parts_.find(parent);
+    return fmt::format("parent = \"{}\"\n", part == last_parts_.end() ? name : part->second);
+  }
+  std::string composed_joint(int i, int parent) {
+    struct Type {
+      std::string name, parts;  ///< R or P, and the axis, of each part
+    };
+    static const std::array<Type, 3> types{
+        {{"universal", "RxRy"}, {"spherical", "RxRyRz"}, {"planar", "PxPyRz"}}};
+    const auto& [name, parts] = types.at(static_cast<std::size_t>(below(3)));
+    const std::string before = parent_text(parent) + vector("origin") + turns();
+    const std::string behind = vector("link") + inertia();
+    if (composed_ == Composed::as_one)
+      return fmt::format("[[joint]]\ntype = \"{}\"\nvariable = \"q{}\"\n", name, i) + before + behind +
+             (parts.size() == 4 ? "viscous_friction = [0.1, 0.2]\n" : "viscous_friction = [0.1, 0.2, 0.3]\n");
+    std::string text;
+    for (std::size_t k = 0; k < parts.size(); k += 2) {
+      last_parts_[i] = fmt::format("q{}_{}", i, parts[k + 1]);
+      text += fmt::format("[[joint]]\ntype = \"{}\"\naxis = \"+{}\"\nvariable = \"{}\"\n",
+                          parts[k] == 'R' ? "revolute" : "prismatic", parts[k + 1], last_parts_[i]) +
+              (k == 0 ? before : "") + (k + 2 == parts.size() ? behind : "") +
+              fmt::format("viscous_friction = 0.{}\n", k / 2 + 1);
+    }
+    return text;
   }
   std::string inertia() {
     return fmt::format("mass = {}\n", 1 + below(9)) + vector("centre_of_mass") +
@@ -121,6 +156,8 @@ class TreeWriter {
   }
 
   std::mt19937 random_;
+  Composed composed_;
+  std::map<int, std::string> last_parts_;  ///< of joints that are written out
 };
 
 inline model::Robot read(const std::string& text) {

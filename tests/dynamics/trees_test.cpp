@@ -4,6 +4,7 @@
 // shares no code; and a few of them through search and certificate.
 #include <gtest/gtest.h>
 
+#include "description/write.h"
 #include "optimise/dynamics.h"
 #include "random_tree.h"
 #include "reference/dynamics.h"
@@ -17,9 +18,14 @@ class RandomTrees : public testing::TestWithParam<int> {};
 TEST_P(RandomTrees, EveryQuantityIsTheReference) {
   const Seeds seeds(static_cast<unsigned>(GetParam()));
   for (unsigned seed = seeds.first; seed < seeds.end; ++seed) {
-    const std::string text = TreeWriter(seed).tree(2 + static_cast<int>(seed % 9), seed % 3 == 0);
+    const bool composed = seed % 4 == 1;
+    const auto written = [&](Composed as) {
+      return TreeWriter(seed, composed ? as : Composed::none)
+          .tree(2 + static_cast<int>(seed % 9), seed % 3 == 0);
+    };
+    const std::string text = written(Composed::as_one);
     const model::Robot robot = read(text);
-    const reference::Chain chain = reference::load_text(text);
+    const reference::Chain chain = reference::load_text(written(Composed::written_out));
     const Motion motion(robot, seed);
     const auto& [q, qd, qdd, force, unused] = motion;
     const VectorXd zero = VectorXd::Zero(q.size());
@@ -52,6 +58,19 @@ TEST_P(RandomTrees, EveryQuantityIsTheReference) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTrees, testing::Values(1, 51, 101, 151));
+
+/// A model has all that is generated: equal models give equal bytes.
+TEST(Trees, WithComposedJointsAreTheTreesOfTheirParts) {
+  unsigned parts = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const std::string text = TreeWriter(seed, Composed::as_one).tree(6, seed % 3 == 0);
+    const std::string parted = TreeWriter(seed, Composed::written_out).tree(6, seed % 3 == 0);
+    const model::Robot robot = read(text);
+    EXPECT_EQ(description::write_text(robot), description::write_text(read(parted))) << text;
+    parts += static_cast<unsigned>(robot.joints.size()) - 6;
+  }
+  EXPECT_GE(parts, 200U);
+}
 
 /// An entry of the mass matrix that is written as zero belongs to joints that do not carry one another, and
 /// no other entry does.

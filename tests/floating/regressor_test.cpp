@@ -2,7 +2,7 @@
 // The regressor of a robot whose base floats: with any inertias of base and links it gives the reference's
 // wrench on the base and joint forces, and none of its parameters follows from the others.
 #include <gtest/gtest.h>
-#include <qvgen/robots/quad/regressor.h>
+#include <qvgen/robots/quad/regressor_with_drives.h>
 
 #include "quad.h"
 #include "reference/linear_algebra.h"
@@ -56,6 +56,26 @@ TEST(QuadRegressor, OfTheDescriptionsInertiasGivesInverseDynamics) {
   const auto parameters = quad::base_parameters(standard_parameters(reference_chain()));
   expect_close(product(quad::regressor(m.at, m.qd, m.qdd, {}, {}, g), parameters),
                quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, g), 1e-11);
+}
+
+/// Rotors, friction of both kinds and offsets, four of each joint.
+TEST(QuadRegressor, WithDrivesGivesTheirForcesToo) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const QuadMotion m(seed);
+    const reference::Chain chain = with_random_inertias(reference_chain(), seed);
+    const quad::DriveParameters<double> drives = quad::DriveParameters<double>::Random();
+    Vector expected =
+        m.to_base(reference::inverse_dynamics(chain, m.q_of_joints, m.qd_of_joints, m.qdd_of_joints));
+    for (int i = 0; i < quad::dof; ++i) {
+      const auto drive = drives.segment<4>(4 * i);
+      const double rate = m.qd[6 + i], acceleration = m.qdd[6 + i];
+      expected[6 + i] += drive.dot(Eigen::Vector4d(acceleration, rate, rate < 0 ? -1 : 1, 1));
+    }
+    const auto parameters = quad::identifiable_parameters<double>(standard_parameters(chain), drives);
+    expect_close((quad::regressor_with_drives(m.at, m.qd, m.qdd, {}, {}, g) * parameters).eval(), expected,
+                 1e-11);
+  }
+  EXPECT_EQ(quad::identifiable_parameter_count, quad::base_parameter_count + 4 * quad::dof);
 }
 
 TEST(QuadRegressor, HasIndependentColumns) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include "dag/evaluate.h"
 #include "derive/dynamics/column_relations.h"
 #include "derive/dynamics/drive_parameters.h"
+#include "model/coordinates.h"
 #include "model/followers.h"
 
 namespace qvgen::derive::dynamics {
@@ -29,12 +29,12 @@ const std::map<DriveParameter, std::string>& short_names() {
   return names;
 }
 
-std::vector<DriveColumn> columns_of_links(const Regressor& links, std::size_t joints) {
+std::vector<DriveColumn> columns_of_links(const Regressor& links, std::size_t rows) {
   std::vector<DriveColumn> columns;
   for (std::size_t k = 0; k < links.names.size(); ++k) {
     columns.push_back({links.names[k], {}, links.base_parameters.outputs[k].value});
-    for (std::size_t i = 0; i < joints; ++i)
-      columns.back().entries.push_back(links.formulation.function.outputs[k * joints + i].value);
+    for (std::size_t i = 0; i < rows; ++i)
+      columns.back().entries.push_back(links.formulation.function.outputs[k * rows + i].value);
   }
   return columns;
 }
@@ -64,15 +64,16 @@ std::vector<DriveColumn> columns_of_drives(const model::Robot& robot, const std:
                                            DriveParameter kind, Regressor& regressor) {
   dag::Graph& graph = regressor.formulation.function.graph;
   const std::vector<std::vector<model::Share>> shares = model::shares(robot);
-  const std::vector<std::string> variables = model::variables(robot);
+  const std::vector<std::string> coordinates = model::coordinates(robot);
   std::vector<DriveColumn> columns;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const auto& [driven, ratio] = shares[i].front();
+    const std::size_t row = model::base_motions(robot) + driven;
     const bool opposite = !reversed.empty() && reversed[i];
     DriveColumn column{short_names().at(kind) + std::to_string(i + 1),
-                       std::vector<dag::Edge>(variables.size(), graph.constant(0)),
+                       std::vector<dag::Edge>(coordinates.size(), graph.constant(0)),
                        regressor.base_parameters.graph.symbol(drive_parameter(i, kind))};
-    column.entries[driven] = factor_of(kind, ratio, variables[driven], opposite, graph);
+    column.entries[row] = factor_of(kind, ratio, coordinates[row], opposite, graph);
     columns.push_back(std::move(column));
   }
   return columns;
@@ -94,6 +95,29 @@ dag::Function function_of(const dag::Graph& graph, const std::vector<DriveColumn
       function.outputs.push_back(
           {"y" + std::to_string(i + 1) + "_" + std::to_string(k + 1), columns[k].entries[i]});
   return function;
+}
+
+using Relations = std::vector<std::optional<Relation>>;
+
+/// Which columns depend on others. The wrench on a base that floats tells all that the links' columns do: a
+/// combination of them without that wrench is zero (Ayusawa, Venture and Nakamura 2014). Drives are not in
+/// that wrench, so that their columns depend on one another alone, by joints that follow.
+Relations relations_of(const model::Robot& robot, const Formulation& links, std::size_t count_of_links,
+                       const std::vector<DriveColumn>& columns) {
+  const std::size_t left_out = robot.floating_base ? count_of_links : 0;
+  const std::vector<DriveColumn> compared(columns.begin() + static_cast<std::ptrdiff_t>(left_out),
+                                          columns.end());
+  const Relations found = relations_of_columns(
+      robot, {function_of(links.function.graph, compared), links.constants}, model::coordinate_count(robot),
+      order_of(count_of_links - left_out, robot.joints.size()));
+  Relations result(left_out);
+  for (const std::optional<Relation>& relation : found) {
+    result.emplace_back();
+    if (!relation) continue;
+    result.back().emplace();
+    for (const auto& [index, coefficient] : *relation) result.back()->emplace(index + left_out, coefficient);
+  }
+  return result;
 }
 
 dag::Edge value_of(const Coefficient& coefficient, dag::Graph& graph) {
@@ -121,16 +145,13 @@ DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vecto
     throw std::domain_error("joints follow motors that are no joints, whose drives have no columns");
   DriveRegressor result{regressor(robot), {}};
   Regressor& regressor = result.regressor;
-  const std::size_t rows = model::driven_count(robot);
-  std::vector<DriveColumn> columns = columns_of_links(regressor, rows);
+  std::vector<DriveColumn> columns = columns_of_links(regressor, model::coordinate_count(robot));
   const std::size_t links = columns.size();
   for (const DriveParameter kind : drive_parameters)
     for (DriveColumn& column : columns_of_drives(robot, reversed, kind, regressor))
       columns.push_back(std::move(column));
 
-  const dag::Function function = function_of(regressor.formulation.function.graph, columns);
-  const auto relations = relations_of_columns(robot, {function, regressor.formulation.constants}, rows,
-                                              order_of(links, robot.joints.size()));
+  const Relations relations = relations_of(robot, regressor.formulation, links, columns);
   std::vector<DriveColumn> kept;
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (relations[k])
@@ -138,7 +159,7 @@ DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vecto
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (!relations[k]) kept.push_back(columns[k]);
 
-  regressor.formulation.function = function_of(function.graph, kept);
+  regressor.formulation.function = function_of(regressor.formulation.function.graph, kept);
   regressor.base_parameters.outputs.clear();
   regressor.names.clear();
   for (const DriveColumn& column : kept) {

@@ -45,13 +45,23 @@ void add_argument(const model::Robot& robot, const std::string& name, std::vecto
                              : joint_array(robot, name));
 }
 
+/// True for functions under gravity of a base that floats: they take any direction, or a magnitude along -z.
+bool takes_any_gravity(const model::Robot& robot, const DynamicsInterface& interface) {
+  return robot.floating_base && interface.gravity != Gravity::none;
+}
+
 /// Gravity as a floating base sees it (floating_base.h): in its own frame, and minus its product with the
-/// position.
-std::vector<std::string> gravity_at_base(const model::Robot& robot, const DynamicsInterface& interface) {
-  if (!robot.floating_base || interface.gravity == Gravity::none) return {};
-  return {"const double seen_gravity[4] = {", "    2 * gravity * (base[0] * base[2] - base[1] * base[3]),",
-          "    -2 * gravity * (base[2] * base[3] + base[0] * base[1]),",
-          "    2 * gravity * (base[1] * base[1] + base[2] * base[2]) - gravity,", "    gravity * base[6]};"};
+/// position. The terms' order is such that gravity along -z gives what its magnitude gives in C++.
+std::vector<std::string> gravity_at_base() {
+  return {"const double w = base[0], x = base[1], y = base[2], z = base[3];",
+          "const double seen_gravity[4] = {",
+          "    gravity[0] - 2 * gravity[0] * (y * y + z * z) + 2 * gravity[1] * (x * y + w * z) - "
+          "2 * gravity[2] * (w * y - x * z),",
+          "    2 * gravity[0] * (x * y - w * z) + gravity[1] - 2 * gravity[1] * (x * x + z * z) + "
+          "2 * gravity[2] * (y * z + w * x),",
+          "    2 * gravity[0] * (x * z + w * y) + 2 * gravity[1] * (y * z - w * x) - "
+          "2 * gravity[2] * (x * x + y * y) + gravity[2],",
+          "    -(gravity[0] * base[4] + gravity[1] * base[5] + gravity[2] * base[6])};"};
 }
 
 std::vector<Parameter> parameters_of(const model::Robot& robot, const DynamicsInterface& interface,
@@ -97,21 +107,53 @@ std::vector<std::string> without_slashes(const std::string& doc) {
   return lines;
 }
 
+const char* const with_vector = "_with_gravity_vector";
+const char* const base_line = "`base`: its orientation w x y z and its position in the world, m.";
+
 Function function_of(const model::Robot& robot, const optimise::Optimised& from) {
-  const DynamicsInterface interface = dynamics_interface(from.name);
+  DynamicsInterface interface = dynamics_interface(from.name);
+  const bool any_gravity = takes_any_gravity(robot, interface);
+  if (any_gravity) interface.gravity = Gravity::vector;
   const auto angles = angles_of(from.function);
   const DynamicsCode code = dynamics_code(robot, from, angles, printer());
-  Function function{from.name, without_slashes(dynamics_doc(robot, from, interface)),
+  Function function{from.name + (any_gravity ? with_vector : ""),
+                    without_slashes(dynamics_doc(robot, from, interface)),
                     parameters_of(robot, interface, code.code.outputs.size())};
   if (interface.result == Result::scalar) function.result = "double";
-  if (robot.floating_base)
-    function.doc.push_back("`base`: its orientation w x y z and its position in the world, m.");
-  append(function.statements, gravity_at_base(robot, interface));
+  if (robot.floating_base) function.doc.emplace_back(base_line);
+  if (any_gravity) {
+    function.doc.emplace_back("`gravity`: acceleration of free fall in the world, m/s^2.");
+    append(function.statements, gravity_at_base());
+  }
   append(function.statements, set_up(code.set_up));
   append(function.statements, sine_cosine_statements(robot, from.function, angles));
   append(function.statements, temporaries(code.code));
   append(function.statements, assignments(interface, model::coordinate_count(robot), code.code));
   return function;
+}
+
+/// The same function for gravity along -z.
+Function under_usual_gravity(const model::Robot& robot, const optimise::Optimised& from) {
+  const DynamicsInterface interface = dynamics_interface(from.name);
+  const std::vector<Parameter> parameters = parameters_of(robot, interface, from.function.outputs.size());
+  Function function{from.name, split_lines(interface.summary), parameters};
+  function.doc.push_back("Gravity of the magnitude `gravity`, m/s^2, is along the world's -z; " + robot.name +
+                         "_" + from.name + with_vector);
+  function.doc.emplace_back("takes any. `base`: as there.");
+  std::string arguments;
+  for (const Parameter& parameter : parameters)
+    arguments += (arguments.empty() ? "" : ", ") + (parameter.name == "gravity" ? "falling" : parameter.name);
+  const bool gives = interface.result == Result::scalar;
+  if (gives) function.result = "double";
+  function.statements = {
+      "const double falling[3] = {0, 0, -gravity};",
+      (gives ? "return " : "") + robot.name + "_" + from.name + with_vector + "(" + arguments + ");"};
+  return function;
+}
+
+std::vector<Function> functions_of(const model::Robot& robot, const optimise::Optimised& from) {
+  if (!takes_any_gravity(robot, dynamics_interface(from.name))) return {function_of(robot, from)};
+  return {function_of(robot, from), under_usual_gravity(robot, from)};
 }
 
 Function base_parameters(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
@@ -133,7 +175,7 @@ Function base_parameters(const model::Robot& robot, const derive::dynamics::Regr
 Function identifiable_parameters(const model::Robot& robot,
                                  const derive::dynamics::DriveRegressor& drive_regressor) {
   const Code code = identifiable_parameters_code(robot, drive_regressor.regressor, printer());
-  const std::string standard = "[" + std::to_string(10 * robot.joints.size()) + "]";
+  const std::string standard = "[" + std::to_string(10 * model::body_count(robot)) + "]";
   const std::string drives = "[" + std::to_string(4 * robot.joints.size()) + "]";
   Function function{
       "identifiable_parameters",
@@ -160,7 +202,7 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
     if (dynamics_interface(function.name).result == Result::derivatives)
       all += {render("c/dynamics_derivatives.h",
                      {{"name", robot.name}, {"dof", model::coordinate_count(robot)}})};
-    all += written(robot, {function_of(robot, function)});
+    all += written(robot, functions_of(robot, function));
   }
   return all;
 }
@@ -169,7 +211,8 @@ Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::Dr
                            const optimise::Optimised& function) {
   Part part = names(robot, "identifiable_parameter", "Columns of the regressor with drives.",
                     regressor.regressor.names);
-  return part += written(robot, {identifiable_parameters(robot, regressor), function_of(robot, function)});
+  part += written(robot, {identifiable_parameters(robot, regressor)});
+  return part += written(robot, functions_of(robot, function));
 }
 
 Part total_mass(const model::Robot& robot) {
@@ -183,7 +226,8 @@ Part total_mass(const model::Robot& robot) {
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function) {
   Part part = names(robot, "base_parameter", "Columns of the regressor.", regressor.names);
-  return part += written(robot, {base_parameters(robot, regressor), function_of(robot, function)});
+  part += written(robot, {base_parameters(robot, regressor)});
+  return part += written(robot, functions_of(robot, function));
 }
 
 }  // namespace qvgen::emit::c

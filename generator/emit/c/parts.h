@@ -58,6 +58,8 @@ Part geometry_jacobian(const model::Robot& robot, const JacobianFunction& functi
 /// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
 Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions);
 Part total_mass(const model::Robot& robot);
+/// Centre of mass and its Jacobian of a robot whose base floats, made of its momentum matrix.
+Part centroidal(const model::Robot& robot);
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function);
 Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::DriveRegressor& regressor,

@@ -265,7 +265,7 @@ Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Reg
 Code identifiable_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                                   const ast::Printer& language) {
   Known known{{derive::dynamics::gravity_symbol, ast::name("gravity")}};
-  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+  for (std::size_t i = 0; i < 10 * model::body_count(robot); ++i)
     known[derive::dynamics::standard_parameter(i)] = ast::entry("standard", i);
   for (std::size_t i = 0; i < derive::dynamics::drive_parameters.size() * robot.joints.size(); ++i)
     known[derive::dynamics::drive_parameter(i)] = ast::entry("drives", i);
@@ -301,6 +301,7 @@ json identifiable_parameter_values(const model::Robot& robot,
 Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
   dag::Function function;
   derive::dynamics::Scalar mass;
+  if (robot.floating_base) mass = derive::dynamics::to_scalar(robot.floating_base->mass, function.graph);
   for (const model::Joint& joint : robot.joints)
     mass = mass + derive::dynamics::to_scalar(joint.inertia.mass, function.graph);
   function.outputs.push_back({"mass", mass.in(function.graph)});

@@ -141,7 +141,7 @@ std::string type_of(Result result, const std::string& scalar, bool floats) {
     case Result::regressor:
       return "Eigen::Matrix<" + scalar + ", " + size + ", base_parameter_count>";
     case Result::drive_regressor:
-      return "Eigen::Matrix<" + scalar + ", dof, identifiable_parameter_count>";
+      return "Eigen::Matrix<" + scalar + ", " + size + ", identifiable_parameter_count>";
     case Result::derivatives:
       return "InverseDynamicsDerivatives<" + scalar + ">";
     case Result::point:

@@ -146,11 +146,11 @@ json branches_of(const model::Robot& robot, const std::vector<optimise::Optimise
           {"nonzero_count", nonzeros.size()}};
 }
 
-/// A base that floats takes gravity in any direction in each function, and wrenches by contacts.h.
-bool has_loads(const model::Robot& robot, RobotOutput& output) {
+/// A base that floats takes gravity in any direction in each function, and wrenches by contacts.h. `how` says
+/// how that is asked for.
+bool has_loads(const model::Robot& robot, const std::string& how, RobotOutput& output) {
   if (!robot.floating_base) return true;
-  output.missing.push_back({"dynamics_loads", Missing::Kind::not_described,
-                            "the base floats: functions of dynamics.h take gravity in any direction"});
+  output.missing.push_back({"dynamics_loads", Missing::Kind::not_described, "the base floats: " + how});
   return false;
 }
 
@@ -185,7 +185,8 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
   std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}};
-  if (!has_loads(described, output)) parts.erase(parts.begin() + 1);
+  if (!has_loads(described, "functions of dynamics.h take gravity in any direction", output))
+    parts.erase(parts.begin() + 1);
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
@@ -218,7 +219,8 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   };
   std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}};
-  if (!has_loads(described, output)) parts.erase(parts.begin() + 1);
+  if (!has_loads(described, "functions under gravity have another form, ..._with_gravity_vector", output))
+    parts.erase(parts.begin() + 1);
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 

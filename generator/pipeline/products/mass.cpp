@@ -17,6 +17,7 @@ using nlohmann::json;
 
 bool has_mass(const model::Robot& described, RobotOutput& output) {
   const auto& joints = described.joints;
+  if (described.floating_base && !described.floating_base->mass.is_literal_zero()) return true;
   if (std::any_of(joints.begin(), joints.end(),
                   [](const model::Joint& joint) { return !joint.inertia.mass.is_literal_zero(); }))
     return true;
@@ -48,6 +49,11 @@ Functions functions_of(const model::Robot& described) {
 
 void generate_mass(const model::Robot& described, RobotOutput& output) {
   if (!has_mass(described, output)) return;
+  if (described.floating_base) {
+    output.missing.push_back({"mass", Missing::Kind::not_described,
+                              "the base floats: qvgen/centroidal.h has mass and centre, by momentum_matrix"});
+    return;
+  }
   const auto [robot, functions] = functions_of(described);
   const emit::Code mass = emit::total_mass_code(robot);
   const json values{{"total_mass", mass.outputs.front().expression},
@@ -57,6 +63,11 @@ void generate_mass(const model::Robot& described, RobotOutput& output) {
 
 void generate_mass_c(const model::Robot& described, RobotOutput& output) {
   if (!has_mass(described, output)) return;
+  if (described.floating_base) {
+    const model::Robot robot = optimise::dynamics_model(described).arm.robot;
+    add_c_part(output, emit::c::total_mass(robot));
+    return add_c_part(output, emit::c::centroidal(robot));
+  }
   const auto [robot, functions] = functions_of(described);
   add_c_part(output, emit::c::total_mass(robot));
   add_c_part(output, emit::c::dynamics(robot, functions));
