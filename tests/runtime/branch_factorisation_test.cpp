@@ -78,6 +78,20 @@ TEST(BranchFactorisation, GivesDerivativesOfAccelerations) {
   });
 }
 
+/// A base's place makes no difference to forces, and its columns of zeros are not solved.
+TEST(BranchFactorisation, TakesAColumnForZerosOnlyIfAllAre) {
+  using Tree = RandomTree<double, Quadruped>;
+  struct {
+    Tree::Matrix by_position = Tree::Matrix::Zero(), by_rate = Tree::Matrix::Zero();
+  } forces;
+  forces.by_position(17, 1) = std::numeric_limits<double>::denorm_min();
+  forces.by_position(0, 2) = std::numeric_limits<double>::quiet_NaN();
+  const auto found = forward_dynamics_derivatives(Tree::Mass(Tree::Matrix::Identity()), forces);
+  EXPECT_TRUE(found.by_position.col(0).isZero(0));
+  EXPECT_EQ(found.by_position(17, 1), -std::numeric_limits<double>::denorm_min());
+  EXPECT_TRUE(std::isnan(found.by_position(0, 2)));
+}
+
 TEST(BranchFactorisation, SeesThatAMatrixIsNotPositive) {
   for_random_trees([](auto tree) {
     using Tree = decltype(tree);

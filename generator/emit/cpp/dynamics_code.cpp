@@ -53,11 +53,10 @@ Constants constants_of(const Optimised& function) {
   return result;
 }
 
-/// The outputs with the places where they go.
-json statements_of(const std::vector<Code::Value>& outputs, Result result, std::size_t dof) {
-  json list = json::array();
-  for (const auto& [targets, expression] : assignments(places_of(result, dof, outputs.size()), outputs))
-    list.push_back({{"place", targets}, {"expression", expression}});
+/// Statements that bring the outputs to their places.
+std::vector<std::string> statements_of(const std::vector<Assignment>& assignments) {
+  std::vector<std::string> list;
+  for (const auto& [targets, expression] : assignments) list.push_back(targets + " = " + expression);
   return list;
 }
 
@@ -230,7 +229,10 @@ DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
   const auto [set_up, as_it_is] = dynamics_code(robot, function, angles);
-  const Code code = compact(as_it_is);
+  const bool many = has_many_values(as_it_is);
+  const Code code = many ? compact(as_it_is) : as_it_is;
+  const std::vector<Assignment> assigned = assignments(
+      places_of(interface.result, model::coordinate_count(robot), code.outputs.size()), code.outputs);
   const Arguments arguments = arguments_of(robot, interface, scalar);
   const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},
@@ -249,7 +251,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"stored", values_of(set_up.outputs)},
               {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
               {"temporaries", values_of(code.temporaries)},
-              {"statements", statements_of(code.outputs, interface.result, model::coordinate_count(robot))}};
+              {"statements", lines_of(many ? compact_statements(assigned) : statements_of(assigned))}};
   values.update(load_values(robot, interface, scalar));
   return values;
 }

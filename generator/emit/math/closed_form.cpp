@@ -31,7 +31,7 @@ std::size_t last_break(const std::string& text) {
 }
 
 /// Broken before terms; continuation lines are indented.
-std::vector<std::string> wrapped(const std::string& text) {
+std::vector<std::string> in_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::string rest = text;
   while (rest.size() > comment_width) {
@@ -74,7 +74,7 @@ std::vector<std::string> equations(const std::optional<dag::Function>& function,
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation) {
   std::vector<std::string> lines;
   for (const std::string& equation : equations(pose(described, false), notation))
-    for (const std::string& part : wrapped(equation)) lines.push_back(part);
+    for (const std::string& part : in_lines(equation)) lines.push_back(part);
   return lines;
 }
 

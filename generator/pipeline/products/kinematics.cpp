@@ -91,6 +91,19 @@ Kinematics kinematics_of(const model::Robot& described, RobotOutput& output) {
   return found;
 }
 
+/// Bytes of formulas that somebody reads: more than those of seven joints turned anyhow.
+constexpr std::size_t longest_closed_form = 10000;
+
+/// The closed form as lines of a comment, or where to find one that is too long for it.
+std::vector<std::string> closed_form_comment(const model::Robot& described) {
+  std::vector<std::string> lines =
+      emit::closed_form_lines(described, emit::Notation::text.with(emit::Numbers::exact));
+  std::size_t bytes = 0;
+  for (const std::string& line : lines) bytes += line.size();
+  if (bytes > longest_closed_form) return {"`qvgen show` prints the closed form, which is long."};
+  return lines;
+}
+
 }  // namespace
 
 void generate_kinematics(const model::Robot& described, RobotOutput& output) {
@@ -98,8 +111,7 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
-  values["closed_form"] =
-      emit::lines_of(emit::closed_form_lines(described, emit::Notation::text.with(emit::Numbers::exact)));
+  values["closed_form"] = emit::lines_of(closed_form_comment(described));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
   output.files.push_back({headers + "kinematics.h", emit::render("cpp/kinematics.h", values)});
   output.files.push_back(

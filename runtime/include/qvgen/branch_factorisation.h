@@ -53,10 +53,9 @@ class BranchFactorisation {
 
   /// Returns the inverse of M, symmetric but for rounding.
   [[nodiscard]] Padded padded_inverse() const {
-    Padded x = Padded::Zero();
-    x.diagonal().setOnes();
+    Padded x;
     for_each_row(Backwards<Rows>(),
-                 [&](auto i) { subtract_carried<i>(Backwards<RowsCarriedBy<Branches, i>>(), x); });
+                 [&](auto i) { start_from_unit<i>(Backwards<RowsCarriedBy<Branches, i>>(), x); });
     for_each_row(Rows(), [&](auto k) { subtract<k>(Carrying<k>(), x, reciprocals_[k]); });
     return x;
   }
@@ -107,9 +106,10 @@ class BranchFactorisation {
       return false;
     }
   };
+  /// Column k of `x` becomes row k of the unit matrix less what later rows make of it.
   template <int row, int... other>
-  void subtract_carried(std::integer_sequence<int, other...>, Padded& x) const {
-    Registers sum(x.data() + row * lanes);
+  void start_from_unit(std::integer_sequence<int, other...>, Padded& x) const {
+    Registers sum = Registers::template unit<row>();
     (sum.template subtract_some<Carried<other>>(factors_.data()[place<row, other>], x.data() + other * lanes),
      ...);
     sum.store(x.data() + row * lanes);

@@ -39,7 +39,7 @@ void accelerations(const typename Mass::Padded& inverse, const Scalar* forces,
 template <class Column>
 bool is_zero(const Column& column) {
   if constexpr (std::is_arithmetic_v<typename Column::Scalar>)
-    return (column.array() == 0).all();
+    return column.cwiseAbs().sum() == 0;
   else
     return false;
 }

@@ -15,6 +15,7 @@ template <class Scalar>
 struct Register {
   using Numbers = Scalar;
   static constexpr int size = 1;
+  static Numbers unit(int) { return Scalar(1); }
   static Numbers load(const Scalar* from) { return *from; }
   static void store(const Numbers& numbers, Scalar* to) { *to = numbers; }
 };
@@ -22,6 +23,12 @@ template <class Scalar>
 struct MachineRegister {
   using Numbers = simd::Lanes<Scalar, simd::Doubles<simd::widest_register / 8>>;
   static constexpr int size = Numbers::size;
+  /// One at that place, else zeros.
+  [[gnu::always_inline]] static Numbers unit(int place) {
+    Numbers numbers(0);
+    numbers.set(place, 1);
+    return numbers;
+  }
   [[gnu::always_inline]] static Numbers load(const Scalar* from) { return Numbers::load(from); }
   [[gnu::always_inline]] static void store(const Numbers& numbers, Scalar* to) { numbers.store(to); }
 };
@@ -42,6 +49,13 @@ class SideBySide<Scalar, std::integer_sequence<int, part...>> {
   [[gnu::always_inline]] SideBySide() : parts_{(static_cast<void>(part), Numbers(0))...} {}
   [[gnu::always_inline]] explicit SideBySide(const Scalar* from)
       : parts_{Unit::load(from + part * Unit::size)...} {}
+  /// One at `place`, else zeros.
+  template <int place>
+  [[gnu::always_inline]] static SideBySide unit() {
+    SideBySide numbers;
+    numbers.parts_[place / Unit::size] = Unit::unit(place % Unit::size);
+    return numbers;
+  }
   [[gnu::always_inline]] void store(Scalar* to) const {
     (Unit::store(parts_[part], to + part * Unit::size), ...);
   }
