@@ -28,6 +28,7 @@ inline constexpr int most_candidates = 64;
 inline constexpr int most_faint = 24;
 
 struct Candidates {
+  static constexpr double most_same = 1e-7;
   int count = 0;
   bool overflow = false;
   Candidate list[most_candidates];
@@ -40,12 +41,16 @@ struct Candidates {
     list[count] = {angle, spread, count};
     ++count;
   }
-  /// Adds a candidate unless a neighbouring stretch has given it before.
-  void add_once(const Direction& angle, double spread) {
+  /// Adds a candidate unless a neighbouring stretch has given it before. `same`: simple roots that are
+  /// farther apart, rad, and yet this near are two that are hardly told apart.
+  void add_once(const Direction& angle, double spread, double same = most_same) {
     for (int i = 0; i < count; ++i) {
       const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;
-      const double near = larger_of(1e-7, 0.7 * larger_of(spread, list[i].spread));
-      if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
+      const double near = larger_of(most_same, 0.7 * larger_of(spread, list[i].spread));
+      const double square = x * x + y * y;
+      if ((list[i].is_doubtful() != (spread > 0)) || !(square < near * near)) continue;
+      if (!(spread > 0) && square > same * same) list[i].spread = std::sqrt(square);
+      return;
     }
     add(angle, spread);
   }

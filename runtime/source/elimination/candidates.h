@@ -64,6 +64,16 @@ Trigonometric magnified(const PoseSystem& system, const PoseSystem& disturbed, P
   return result;
 }
 
+/// Adds angles of no particular kind. A polynomial that vanishes everywhere means a curve of solutions, which
+/// has all outer angles, or those of a stretch.
+inline void spread_evenly(Candidates& found) {
+  constexpr int count = 8;
+  constexpr Direction first = {0.93937271284737892, 0.34289780745545134},
+                      step = {0.70710678118654752, 0.70710678118654752};
+  Direction angle = first;
+  for (int i = 0; i < count; ++i, angle = sum_of(angle, step)) found.add(angle, 0.1);
+}
+
 /// All candidates, faint stretches magnified, up to four times one in the other.
 template <int width>
 double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Candidates& found) {
@@ -71,7 +81,10 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
   sample<width>(samples, system, pair, {}, f);
   const Trigonometric whole = fourier<width>(f);
   constexpr double nothing_but_rounding = 1e-3;
-  if (!(whole.noise < nothing_but_rounding)) return whole.noise;
+  if (!(whole.noise < nothing_but_rounding)) {
+    if (pair != Pair::slides) spread_evenly(found);
+    return whole.noise;
+  }
   RootFinder<width>(whole, tolerance, 4, true, found);
   if (found.faint_count == 0) return whole.noise;
   const PoseSystem other = disturbed(system, pair);
@@ -95,7 +108,9 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     for (int k = 0; k < widened.count; ++k) {
       const Direction angle = magnifier.circle(widened.list[k].angle);
       const double cosine = angle.cosine * faint.middle.cosine + angle.sine * faint.middle.sine;
-      if (cosine >= std::cos(half)) found.add_once(angle, widened.list[k].spread / magnifier.factor);
+      constexpr double widened_same = 1e-4;
+      const double same = smaller_of(Candidates::most_same, widened_same / magnifier.factor);
+      if (cosine >= std::cos(half)) found.add_once(angle, widened.list[k].spread / magnifier.factor, same);
     }
     for (int k = 0; k < widened.faint_count; ++k) {
       const Faint& inner = widened.faint[k];

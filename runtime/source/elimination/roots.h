@@ -135,9 +135,22 @@ class RootFinder {
     for (const T& c : control) largest = larger_of(largest, std::fabs(c[lane]));
     const bool is_arc = part.high - part.low > 1.9;
     if (may_be_faint_ && !is_arc && largest < faint_below_ && put_aside(part)) return;
-    if (largest < part.tolerance || part.high - part.low < smallest)
-      return look_at_double_root(part, is_bent_to_one_side(control, lane, part.tolerance));
-    add_cell(control, lane, part);
+    if (!(largest < part.tolerance || part.high - part.low < smallest)) return add_cell(control, lane, part);
+    if (is_monotonic(control, lane, part.tolerance)) return add_single_root(part);
+    look_at_double_root(part, is_bent_to_one_side(control, lane, part.tolerance));
+  }
+
+  /// Then there is one root at most. Rounding is a hundredth of the tolerance.
+  template <class T>
+  static bool is_monotonic(const T (&control)[controls], int lane, double tolerance) {
+    double least = 1e300, most = -1e300;
+    for (int i = 1; i < controls; ++i) {
+      const double rise = control[i][lane] - control[i - 1][lane];
+      least = smaller_of(least, rise);
+      most = larger_of(most, rise);
+    }
+    constexpr double rounding = 1.0 / 32;
+    return least > rounding * tolerance || most < -rounding * tolerance;
   }
 
   /// Then there are at most two roots.
@@ -201,21 +214,33 @@ class RootFinder {
     sort(other, high, count);
   }
 
-  /// Adds the roots of the parabola about a stationary point, or of one that is a tolerance off: there two
-  /// roots are too near to be told apart, or the polynomial hardly misses zero.
-  void look_at_double_root(const Part& part, bool are_all) {
-    const double width_of_part = 2 * tangent_of_arc * (part.high - part.low);
-    const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
-    double by = 0;
-    const auto at = [&](double turn) { return sum_of(middle, {std::cos(turn), std::sin(turn)}); };
-    Value v = value_at(f_, middle);
-    const double rise = std::fabs(v.slope) * width_of_part;
-    if (std::fabs(v.bend) * width_of_part * width_of_part < rise && rise > 10 * part.tolerance) {
-      // Monotonic: a simple root next to an end of the part, or none.
-      const double root = -v.value / v.slope;
-      if (std::fabs(root) < 0.6 * width_of_part) found_.add_once(at(root), 0);
-      return;
+  static double width_of(const Part& part) { return 2 * tangent_of_arc * (part.high - part.low); }
+
+  /// Turns from the middle of a part.
+  static Direction beside_middle(const Part& part, double turn) {
+    return sum_of(angle_of(part.arc, (part.low + part.high) / 2), {std::cos(turn), std::sin(turn)});
+  }
+
+  /// Adds the root of a part in which the polynomial is monotonic, next to one of its ends, or none.
+  void add_single_root(const Part& part) {
+    const double farthest = 0.6 * width_of(part);
+    double root = 0;
+    for (int step = 0; step < 4; ++step) {
+      const Value v = value_at(f_, beside_middle(part, root));
+      root -= v.value / v.slope;
+      if (!(std::fabs(root) < farthest)) return;
     }
+    found_.add_once(beside_middle(part, root), 0);
+  }
+
+  /// Adds the roots of the parabola about a stationary point, or of one that is a tolerance off: there two
+  /// roots are too near to be told apart, or the polynomial hardly misses zero. What is no parabola may have
+  /// roots elsewhere in the part.
+  void look_at_double_root(const Part& part, bool are_all) {
+    const double width_of_part = width_of(part);
+    double by = 0;
+    const auto at = [&](double turn) { return beside_middle(part, turn); };
+    Value v = value_at(f_, at(0));
     for (int step = 0; step < 3; ++step) {
       const double next = by - v.slope / v.bend;
       if (!(std::fabs(next) < 2 * width_of_part)) break;
@@ -223,7 +248,10 @@ class RootFinder {
       v = value_at(f_, at(by));
     }
     const double square = -2 * v.value / v.bend;
-    if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
+    if (std::fabs(v.value) > 30 * part.tolerance && square < 0) {
+      if (!are_all) found_.add_once(at(0), width_of_part);
+      return;
+    }
     const double unsure = smaller_of(0.01, 2 * part.tolerance / std::fabs(v.bend));
     const double apart = std::sqrt(larger_of(unsure, square));
     if (are_all) return found_.add_twins(at(by - apart), at(by + apart), apart);
