@@ -136,10 +136,16 @@ class Ties {
   }
 
  private:
+  [[nodiscard]] bool is_motor(const std::string& name) const {
+    return std::any_of(robot_.motors.begin(), robot_.motors.end(),
+                       [&](const model::Motor& motor) { return motor.variable == name; });
+  }
+
   /// True, and told, if a leader is no joint of the chain.
   bool is_alone(const Follower& follower) {
     for (const model::Lead& lead : follower.leaders) {
-      if (std::find(names_.begin(), names_.end(), lead.variable) != names_.end()) continue;
+      if (is_motor(lead.variable) || std::find(names_.begin(), names_.end(), lead.variable) != names_.end())
+        continue;
       context_.warning(follower.place,
                        "'" + names_[follower.joint] + "' follows '" + lead.variable +
                            "', which is no joint of the chain: it is read as free",

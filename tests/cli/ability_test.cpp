@@ -135,6 +135,29 @@ TEST_F(Ability, OfAPositionAndAPitch) {
             "5 joints," + asked + "x with q5 given by the caller: " + by_plane);
 }
 
+constexpr const char* six_joints = "Rz 0 0 0.5; Ry 0.4 0 0; Ry 0.4 0 0; Rx 0.1 0 0; Ry 0 0 0; Rx 0.1 0 0";
+
+TEST_F(Ability, OfAPositionAndADirectionWithAJointGiven) {
+  const std::string task = "task = \"position_and_direction\"\n";
+  const std::string asked =
+      "6 joints, asked for a position of the tool point and the direction of the tool's axis ";
+  EXPECT_THAT(of(arm(six_joints, task + "tool_axis = \"+x\"\n")),
+              testing::StartsWith(
+                  asked + "x with q6 given by the caller: the axes of joints 4, 5 and the tool's own"));
+  EXPECT_THAT(
+      of(arm(six_joints, task + "given = \"q1\"\n")),
+      testing::StartsWith(asked + "z with q1 given by the caller: the axes of joints 4, 5 and 6 meet"));
+  EXPECT_THAT(of(arm(six_joints, task + "given = \"q4\"\n")),
+              testing::HasSubstr("with q4 given by the caller: no structure that a closed form needs"));
+  // q6 turns about the axis: it moves nothing that is asked for, and has to be the one that is given.
+  const ToolRun shown =
+      run("show --inverse " +
+          write("my_arm.toml", arm(six_joints, task + "tool_axis = \"+x\"\ngiven = \"q4\"\n")));
+  EXPECT_EQ(shown.code, 1);
+  EXPECT_TRUE(has(shown, "at every pose some joints can move without moving the tool")) << shown.output;
+  EXPECT_TRUE(has(shown, "there is a closed form with given = \"q6\"")) << shown.output;
+}
+
 TEST_F(Ability, WhatIsNotServedIsRefused) {
   const auto refused = [&](const std::string& description, const std::string& reason) {
     const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
@@ -144,6 +167,10 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(five_joints, "task = \"position\"\n"),
           "the task position is none for this arm: it may be asked for position_and_direction");
   refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
+  refused(arm(six_joints, "task = \"position\"\n"),
+          "it may be asked for pose, position_and_direction with a joint given");
+  refused(arm(six_joints, "given = \"q5\"\n"),
+          "six that are asked for a position and a direction (task = \"position_and_direction\")");
   refused(arm(five_servos, "tool_axis = \"+x\"\n"),
           "it may be asked for task = \"position_and_pitch\", with joint 5 given");
   refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Inverse kinematics: all solutions, within limits, next to a seed, of less than a pose, with a joint given."""
 
+import pathlib
+
 import numpy as np
 import pytest
 
@@ -224,6 +226,24 @@ def test_position_and_pitch(desk_arm, rows):
     assert down.count == 4
     approach = desk_arm.homogeneous_transform(down.q[:4])[:, :3, 0]
     np.testing.assert_allclose(approach, np.tile([0, 0, -1], (4, 1)), atol=1e-12)
+
+
+def test_position_and_direction_with_a_given_joint(tmp_path, rows):
+    file = tmp_path / "torch_arm.toml"
+    text = (pathlib.Path(__file__).parents[2] / "generator/robots/puma560.toml").read_text()
+    keys = 'task = "position_and_direction"\ntool_axis = "+z"\n'
+    file.write_text(keys + text.replace('"puma560"', '"torch_arm"', 1))
+    arm = qvgen.load(file, "--only", "kinematics,inverse")
+    q = rows(arm)
+    transforms = arm.homogeneous_transform(q)
+    target = np.hstack([transforms[:, :3, 3], transforms[:, :3, 2]])
+    found = arm.inverse_kinematics_given_theta6(target, q[:, 5], q)
+    assert solved(found)
+    np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    others = arm.inverse_kinematics_given_theta6(target, q[:, 5] + 0.5, q)   # the last joint turns about the axis
+    np.testing.assert_allclose(others.q[:, 0, :5], q[:, :5], atol=1e-9)
+    none = arm.inverse_kinematics_given_theta6(target[0], np.nan)
+    assert none.count == 0 and none.status == qvgen.Status.invalid
 
 
 def test_seven_joints(iiwa14, rows):

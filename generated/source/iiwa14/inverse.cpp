@@ -224,7 +224,8 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 /// The wanted rows of a pose at which rounding decides nothing, chosen in lanes, where the machine has them.
 inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3,
     const inverse::WantedRows& wanted) {
-  if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
+  if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()
+      || !std::isfinite(given_theta3)) return inverse::without_lanes;
   const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
   inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
 
@@ -234,6 +235,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
+  if (!std::isfinite(given_theta3)) return false;
   const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
@@ -243,6 +245,10 @@ bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double toleran
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<7>& preference,
     inverse::Form form, double given_theta3) {
   Rows found;
+  if (!std::isfinite(given_theta3)) {
+    found.status = Status::invalid;
+    return found;
+  }
   const Target t = given(g, tolerance, preference, given_theta3);
   solve(pose, t, form, found);
 
@@ -366,6 +372,10 @@ void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<7>& se
 NearRow follow_to(const Pose<double>& pose, const inverse::Preference<7>& preference, const Geometry& g,
     double tolerance, double given_theta3) {
   NearRow found;
+  if (!std::isfinite(given_theta3)) {
+    found.status = Status::invalid;
+    return found;
+  }
 
   Target t = given(g, tolerance, preference, given_theta3);
   if (!is_open(pose, t, found)) return found;

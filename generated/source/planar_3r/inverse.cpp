@@ -415,6 +415,7 @@ bool lacks_a_length(const Target& t) {
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
+  if (!std::isfinite(given_theta3)) return false;
   const Target t = given(g, tolerance, inverse::zero_preference<3>, given_theta3);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
@@ -424,6 +425,10 @@ bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double toleran
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
     inverse::Form form, double given_theta3) {
   Rows found;
+  if (!std::isfinite(given_theta3)) {
+    found.status = Status::invalid;
+    return found;
+  }
   const Target t = given(g, tolerance, preference, given_theta3);
   solve(pose, t, form, found);
   if (found.status == Status::unreachable && lacks_a_length(t)) found.status = Status::incomplete;
@@ -513,6 +518,10 @@ void follow_whole_arm(const Pose<double>& pose, const inverse::Preference<3>& se
 NearRow follow_to(const Pose<double>& pose, const inverse::Preference<3>& preference, const Geometry& g,
     double tolerance, double given_theta3) {
   NearRow found;
+  if (!std::isfinite(given_theta3)) {
+    found.status = Status::invalid;
+    return found;
+  }
 
   Target t = given(g, tolerance, preference, given_theta3);
   if (!is_open(pose, t, found)) return found;

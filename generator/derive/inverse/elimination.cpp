@@ -117,16 +117,28 @@ std::vector<elimination::Description> arms_of(const EliminationDerivation& deriv
   return arms;
 }
 
+/// The problem with a joint held, which knows the arm with that joint moving.
+Problem held(const Problem& problem, std::size_t joint) {
+  Problem result = with_held(problem, joint);
+  result.moving = problem.robot;
+  return result;
+}
+
 /// The problems with six joints, one of which is to be solved, or all that the description names.
 std::vector<Problem> problems_of(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   const model::Task task = robot.inverse.task.value_or(model::Task::pose);
   std::vector<Problem> result;
-  if (count != six + 1 && !robot.inverse.given.empty()) return result;
+  const bool gives_one = count == six + 1 || (count == six && task == model::Task::position_and_direction);
+  if (!gives_one && !robot.inverse.given.empty()) return result;
   if (count == six && task == model::Task::pose) result.push_back(problem_of(robot, task));
   if (count == six + 1 && task == model::Task::pose)
     for (const std::size_t joint : given_joints(robot))
-      result.push_back(with_held(problem_of(robot, task), joint));
+      result.push_back(held(problem_of(robot, task), joint));
+  if (count == six && task == model::Task::position_and_direction)
+    for (const std::size_t joint : given_from_the_tool(robot))
+      for (const model::Vector3& axis : tool_axes(robot.inverse))
+        result.push_back(held(with_turn(problem_of(robot, task), axis), joint));
   const bool leaves_a_turn = task == model::Task::pose || task == model::Task::position_and_direction;
   if (count + 1 == six && leaves_a_turn)
     for (const model::Vector3& axis : tool_axes(robot.inverse)) {
@@ -140,7 +152,7 @@ std::vector<Problem> problems_of(const Robot& robot) {
 
 /// The arm of a problem with its geometry in numbers, the given joint, if there is one, at no place.
 Robot sample_arm(const Robot& described, const Problem& problem) {
-  return model::with_geometry(problem.given < 0 ? problem.robot : described,
+  return model::with_geometry(problem.given < 0 ? problem.robot : problem.moving,
                               model::sample_geometry(described));
 }
 
@@ -148,7 +160,7 @@ Robot sample_arm(const Robot& described, const Problem& problem) {
 std::optional<EliminationDerivation> derived(const Robot& described, const Problem& problem) {
   EliminationDerivation result;
   result.problem = problem;
-  result.problem.moving = problem.given < 0 ? problem.robot : described;
+  if (problem.given < 0) result.problem.moving = problem.robot;
   result.arm = sample_arm(described, problem);
   const Placed placed(result.arm);
   result.joints = placed.joints;
@@ -229,13 +241,18 @@ EliminationDerivations derive_eliminations(const Robot& described) {
   EliminationDerivations result;
   const std::vector<Problem> problems = problems_of(described);
   const model::InverseRequest& request = described.inverse;
-  const bool asks_for_all = described.joints.size() == six + 1 && !request.given.empty();
+  const bool asks_for_all = !request.given.empty();
+  const auto has_found = [&](int given) {
+    return std::any_of(result.found.begin(), result.found.end(),
+                       [&](const auto& one) { return one.problem.given == given; });
+  };
   for (const Problem& problem : problems) {
+    const bool leaves_a_turn = problem.row_size > problem.own_joints;
+    if (leaves_a_turn && (asks_for_all ? has_found(problem.given) : !result.found.empty())) continue;
     if (auto one = derived(described, problem)) result.found.push_back(std::move(*one));
-    if (!asks_for_all && described.joints.size() < six && !result.found.empty()) break;
   }
-  const bool is_enough =
-      asks_for_all && !request.every_given ? result.found.size() == problems.size() : !result.found.empty();
+  const bool is_enough = asks_for_all && !request.every_given ? result.found.size() == request.given.size()
+                                                              : !result.found.empty();
   if (!is_enough) {
     result.found.clear();
     if (!problems.empty())

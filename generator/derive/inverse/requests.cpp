@@ -30,4 +30,10 @@ std::vector<std::size_t> given_joints(const Robot& robot) {
   return result;
 }
 
+std::vector<std::size_t> given_from_the_tool(const Robot& robot) {
+  std::vector<std::size_t> joints = given_joints(robot);
+  std::sort(joints.rbegin(), joints.rend());
+  return joints;
+}
+
 }  // namespace qvgen::derive::inverse

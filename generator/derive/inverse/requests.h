@@ -15,4 +15,7 @@ std::vector<model::Vector3> tool_axes(const model::InverseRequest& request);
 /// of its own, an elbow turns about the line between the shoulder and the wrist.
 std::vector<std::size_t> given_joints(const model::Robot& robot);
 
+/// The joints that may be given, from the tool to the base: a roll changes no direction of its own axis.
+std::vector<std::size_t> given_from_the_tool(const model::Robot& robot);
+
 }  // namespace qvgen::derive::inverse

@@ -65,7 +65,8 @@ Derivation first_found(const Choices& choices, const Try& attempt) {
 }
 
 /// With a turn about an axis of the tool: its direction is asked for.
-Derivation with_direction(const Robot& robot, Task task, Derivation derived(const Problem&)) {
+Derivation with_direction(const Robot& robot, Task task,
+                          const std::function<Derivation(const Problem&)>& derived) {
   return first_found(tool_axes(robot.inverse), [&](const Vector3& axis) {
     Derivation derivation = in_canonical_frames(with_turn(problem_of(robot, task), axis), derived);
     for (std::string& reason : derivation.reasons)
@@ -169,11 +170,15 @@ bool has_one_too_many_for_a_pitch(const Robot& robot) {
   return robot.joints.size() == 5 && robot.inverse.task == Task::position_and_pitch;
 }
 
+bool has_one_too_many_for_a_direction(const Robot& robot) {
+  return robot.joints.size() == 6 && robot.inverse.task == Task::position_and_direction;
+}
+
 /// True if a joint's value may be given.
 bool has_one_too_many(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot) ||
-         has_one_too_many_for_a_pitch(robot);
+         has_one_too_many_for_a_pitch(robot) || has_one_too_many_for_a_direction(robot);
 }
 
 /// Says why no joint of so many may be given.
@@ -188,9 +193,7 @@ namespace {
 /// The joints that may be given where a pitch is asked for, the roll of the tool first: it changes no pitch
 /// of its own axis.
 Derivation derive_pitch_with_given(const Robot& robot) {
-  std::vector<std::size_t> joints = given_joints(robot);
-  std::sort(joints.rbegin(), joints.rend());
-  return first_found(joints, [&](std::size_t joint) {
+  return first_found(given_from_the_tool(robot), [&](std::size_t joint) {
     Derivation derivation = pitched(robot, joint);
     for (std::string& reason : derivation.reasons)
       reason = "with " + robot.joints[joint].variable + " given: " + reason;
@@ -210,15 +213,17 @@ std::vector<std::string> other_task(const Robot& robot) {
 }  // namespace
 
 Derivation derive(const Robot& robot) {
-  if (has_one_too_many_for_a_pitch(robot)) return {};
+  if (has_one_too_many_for_a_pitch(robot) || has_one_too_many_for_a_direction(robot)) return {};
   const std::vector<Offer> all = offers(robot);
   if (!robot.inverse.given.empty() && !has_one_too_many(robot))
-    return {false,
-            {},
-            {},
-            {"a joint's value may be given for seven joints, five that are asked for a position and a pitch, "
-             "four that are asked for a position, or three that turn in a plane; " +
-             joints_over(robot.joints.size())}};
+    return {
+        false,
+        {},
+        {},
+        {"a joint's value may be given for seven joints, six that are asked for a position and a direction "
+         "(task = \"position_and_direction\"), five that are asked for a position and a pitch, four that are "
+         "asked for a position, or three that turn in a plane; " +
+         joints_over(robot.joints.size())}};
   const auto asked = robot.inverse.task;
   std::vector<Offer> wanted;
   std::string tasks;
@@ -226,6 +231,7 @@ Derivation derive(const Robot& robot) {
     if (!asked || each.task == *asked || *asked == Task::pose) wanted.push_back(each);
     tasks += (tasks.empty() ? "" : ", ") + model::task_name(each.task);
   }
+  if (robot.joints.size() == 6) tasks += ", position_and_direction with a joint given";
   Derivation derivation = first_found(wanted, [](const Offer& each) { return each.way(); });
   if (!derivation.found && all.empty() && !has_one_too_many(robot))
     derivation.reasons.push_back(std::to_string(robot.joints.size()) +
@@ -249,18 +255,18 @@ Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivati
                              [&](const Problem& moving) { return derived(with_held(moving, joint)); });
 }
 
-/// The best of the joints that may be given.
-Derivation derive_best_given(const Robot& robot) {
-  const std::size_t count = robot.joints.size();
-  if (has_one_too_many_for_a_pitch(robot)) return derive_pitch_with_given(robot);
-  if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
-    return first_found(given_joints(robot), [&](std::size_t joint) {
-      return with_given(robot, Task::position, joint, derive_position);
-    });
-  if (count != 7) return {};
+/// Six joints, the tool point and a direction: one joint is given, the turn of the tool is left.
+Derivation direction_with_given(const Robot& robot, std::size_t joint) {
+  return with_direction(robot, Task::position_and_direction,
+                        [joint](const Problem& moving) { return derive_pose(with_held(moving, joint)); });
+}
+
+/// The best of several joints: the first of those that leave no quartic, if there is one.
+Derivation derive_best_of(const Robot& robot, const std::vector<std::size_t>& joints,
+                          const std::function<Derivation(std::size_t)>& derived) {
   Derivation best;
-  for (const std::size_t joint : given_joints(robot)) {
-    Derivation derivation = with_given(robot, Task::pose, joint, derive_pose);
+  for (const std::size_t joint : joints) {
+    Derivation derivation = derived(joint);
     for (std::string& reason : derivation.reasons)
       best.reasons.push_back("with " + robot.joints[joint].variable + " given: " + reason);
     if (!derivation.found || (best.found && !best.plan.quartic())) continue;
@@ -271,11 +277,43 @@ Derivation derive_best_given(const Robot& robot) {
   return best;
 }
 
+/// The best of the joints that may be given.
+Derivation derive_best_given(const Robot& robot) {
+  const std::size_t count = robot.joints.size();
+  if (has_one_too_many_for_a_pitch(robot)) return derive_pitch_with_given(robot);
+  if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
+    return first_found(given_joints(robot), [&](std::size_t joint) {
+      return with_given(robot, Task::position, joint, derive_position);
+    });
+  if (has_one_too_many_for_a_direction(robot))
+    return derive_best_of(robot, given_from_the_tool(robot),
+                          [&](std::size_t joint) { return direction_with_given(robot, joint); });
+  if (count != 7) return {};
+  return derive_best_of(robot, given_joints(robot),
+                        [&](std::size_t joint) { return with_given(robot, Task::pose, joint, derive_pose); });
+}
+
+/// Says which joint may be given where none of those does that the description names.
+std::vector<std::string> other_given(const Robot& robot) {
+  if (!has_one_too_many_for_a_direction(robot) || robot.inverse.given.empty()) return {};
+  Robot any = robot;
+  any.inverse.given.clear();
+  const Derivation derivation = derive_best_given(any);
+  if (!derivation.found) return {};
+  const std::string& joint = robot.joints[static_cast<std::size_t>(derivation.problem.given)].variable;
+  return {"there is a closed form with given = \"" + joint + "\""};
+}
+
 }  // namespace
 
 std::vector<Derivation> derive_given(const Robot& robot) {
   const model::InverseRequest& request = robot.inverse;
-  if (request.given.size() < 2 || !has_one_too_many(robot)) return {derive_best_given(robot)};
+  if (request.given.size() < 2 || !has_one_too_many(robot)) {
+    Derivation best = derive_best_given(robot);
+    if (!best.found)
+      for (const std::string& other : other_given(robot)) best.reasons.push_back(other);
+    return {best};
+  }
   std::vector<Derivation> found, refused;
   for (const std::size_t joint : given_joints(robot)) {
     Robot one = robot;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,21 @@
 /// Files that describe a tree of links, of which one path is the robot.
 namespace qvgen::description::tree {
 
+/// A motor that moves several joints, which follow it.
+struct TendonMotor {
+  std::string key;               ///< its name among leaders
+  model::Motor motor;            ///< `variable`: its name in the file
+  std::set<std::string> joints;  ///< that have to be there if others shall follow it
+  Place place;
+};
+
 /// Motion of a joint by the values of others, which have their names in the file.
 struct Mimic {
   model::Follows leaders;
   model::Expression offset;
   Place place;
-  bool may_be_alone = false;  ///< the joint is free in a chain without its leaders
+  bool may_be_alone = false;             ///< the joint is free in a chain without its leaders
+  std::vector<TendonMotor> motors = {};  ///< those of the leaders that are no joints
 };
 
 struct MovingJoint {

@@ -32,6 +32,7 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
   std::sort(read_nodes_.begin(), read_nodes_.end());
   if (!order.empty()) standing_[(*nodes_)[order.front()].parent] = {};
   for (const std::size_t node : order) read_node(node, robot);
+  take_motors(robot);
   tie_followers(*context_, names_, robot);
   if (!robot.joints.empty()) check_ends(robot);
 }
@@ -97,6 +98,48 @@ void TreeReader::note_mimic(const MovingJoint& joint, std::size_t index) {
   names_.push_back(joint.name);
   if (const auto& mimic = joint.mimic)
     context_->followers.push_back({index, mimic->leaders, mimic->offset, mimic->place, mimic->may_be_alone});
+  if (joint.mimic && !joint.mimic->motors.empty()) motors_[index] = joint.mimic->motors;
+}
+
+/// Adds a motor under a name of its own.
+void TreeReader::add_motor(const TendonMotor& motor, model::Robot& robot) {
+  if (motor_variables_.count(motor.key) > 0) return;
+  std::vector<std::string> taken;
+  for (const model::Joint& joint : robot.joints) taken.push_back(joint.variable);
+  for (const model::Motor& other : robot.motors) taken.push_back(other.variable);
+  robot.motors.push_back(motor.motor);
+  robot.motors.back().variable = motor_variables_[motor.key] = identifier(motor.motor.variable, taken);
+  context_->motor_places.push_back(motor.place);
+}
+
+/// Adds the motors that joints follow. Where not all of a motor's joints are read, or joints branch, so that
+/// limbs may lack some, its followers are free, with a warning.
+void TreeReader::take_motors(model::Robot& robot) {
+  const auto is_read = [&](const std::string& joint) { return joint_called(joint).has_value(); };
+  const auto is_whole = [&](const TendonMotor& motor) {
+    return std::all_of(motor.joints.begin(), motor.joints.end(), is_read);
+  };
+  std::vector<Follower> kept;
+  for (Follower& follower : context_->followers) {
+    const auto motors = motors_.find(follower.joint);
+    const bool has_motors = motors != motors_.end();
+    if (has_motors &&
+        (model::branches(robot) || !std::all_of(motors->second.begin(), motors->second.end(), is_whole))) {
+      context_->warning(
+          follower.place,
+          "the motors of '" + names_[follower.joint] +
+              "' act by tendons on joints that are not all in one chain: it has a value of its own",
+          "take a chain with all of them, if there is one, to have the motors' values");
+      continue;
+    }
+    if (has_motors)
+      for (const TendonMotor& motor : motors->second) add_motor(motor, robot);
+    for (model::Lead& lead : follower.leaders)
+      if (const auto known = motor_variables_.find(lead.variable); known != motor_variables_.end())
+        lead.variable = known->second;
+    kept.push_back(std::move(follower));
+  }
+  context_->followers = std::move(kept);
 }
 
 const Segment& TreeReader::segment_of(std::size_t node) {

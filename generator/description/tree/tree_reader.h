@@ -44,6 +44,8 @@ class TreeReader {
   void add_joint(const Segment& segment, const Standing& before, model::Robot& robot);
   model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const;
   void note_mimic(const MovingJoint& joint, std::size_t index);
+  void take_motors(model::Robot& robot);
+  void add_motor(const TendonMotor& motor, model::Robot& robot);
   void check_ends(model::Robot& robot) const;
   void leave_out_partial_inertia(model::Robot& robot) const;
 
@@ -57,8 +59,10 @@ class TreeReader {
   const ReadSegment* read_;
   std::size_t tip_;
   std::map<std::size_t, Standing> standing_;
-  std::vector<std::size_t> read_nodes_;  ///< sorted
-  std::vector<std::string> names_;       ///< of the joints, in the file
+  std::vector<std::size_t> read_nodes_;                     ///< sorted
+  std::vector<std::string> names_;                          ///< of the joints, in the file
+  std::map<std::size_t, std::vector<TendonMotor>> motors_;  ///< by the joints that follow them
+  std::map<std::string, std::string> motor_variables_;      ///< by the motors' keys
   std::map<std::size_t, Segment> segments_;
   bool crowded_ = false;
 };

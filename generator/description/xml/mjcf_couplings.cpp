@@ -14,6 +14,15 @@ std::string text_of(const Element& element, const std::string& key) {
   return attribute == nullptr ? "" : attribute->value;
 }
 
+/// The name of a tendon's length in sums with joints, which no joint has.
+std::string key_of(const std::string& tendon) { return "\n" + tendon; }
+
+/// A tendon with what its class gives it.
+Element completed_tendon(Context& context, const MjcfModel& model, Element tendon) {
+  tendon.name = "tendon";
+  return model.defaults.completed(context, tendon, "");
+}
+
 /// The five coefficients; fewer are filled up by 0.
 std::optional<std::vector<Decimal>> coefficients(Context& context, const Element& element) {
   const Attribute* attribute = element.attribute("polycoef");
@@ -44,6 +53,7 @@ MjcfCouplings::MjcfCouplings(Context& context, const MjcfModel& model, const Mjc
   for (const Element& section : model.root.children)
     if (section.name == "equality")
       for (const Element& element : section.children) read(element);
+  read_motors(model);
   for (const Element& section : model.root.children)
     if (section.name == "tendon" && has_more(section)) warn_of_tendons(context, section);
 }
@@ -74,10 +84,9 @@ void MjcfCouplings::read_joint(const Element& element) {
 }
 
 /// The factors of a tendon's joints; `last`: the one that is named last.
-MjcfCouplings::Sum MjcfCouplings::joints_of_tendon(const Element& element, const std::string& key,
-                                                   std::string* last) {
+MjcfCouplings::Sum MjcfCouplings::joints_of_tendon(const std::string& tendon_name, std::string* last) {
   Sum sum;
-  const auto tendon = tendons_.find(text_of(element, key));
+  const auto tendon = tendons_.find(tendon_name);
   if (tendon == tendons_.end()) return sum;
   used_.insert(tendon->first);
   for (const Element& joint : tendon->second->children) {
@@ -93,8 +102,8 @@ MjcfCouplings::Sum MjcfCouplings::joints_of_tendon(const Element& element, const
 void MjcfCouplings::read_tendons(const Element& element) {
   const auto numbers = coefficients(*context_, element);
   std::string follower;
-  const Sum first = joints_of_tendon(element, "tendon1", &follower);
-  const Sum second = joints_of_tendon(element, "tendon2", nullptr);
+  const Sum first = joints_of_tendon(text_of(element, "tendon1"), &follower);
+  const Sum second = joints_of_tendon(text_of(element, "tendon2"), nullptr);
   if (!numbers || follower.empty()) return;
   Sum rest;  // of all but the follower, and of the follower: first - a1 second = a0
   for (const auto& [name, factor] : first) rest[name] = rest[name] + factor;
@@ -109,6 +118,93 @@ void MjcfCouplings::read_tendons(const Element& element) {
   for (const auto& [name, factor] : rest)
     if (name != follower && !cln::zerop(factor)) relation.leaders[name] = -factor / own;
   add(follower, relation);
+}
+
+std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::string& tendon) {
+  Followed length;
+  for (const auto& [joint, factor] : joints_of_tendon(tendon, nullptr)) {
+    if (joints_.count(joint) == 0) return std::nullopt;
+    std::set<std::string> above;
+    const bool is_free = relations_.count(joint) == 0;
+    const Followed* own = is_free ? nullptr : followed(joint, above);
+    if (!is_free && own == nullptr) {
+      wrong_.insert(joint);
+      return std::nullopt;
+    }
+    if (is_free) length.sum[joint] = length.sum[joint] + factor;
+    if (is_free) continue;
+    length.offset.add(factor, own->offset);
+    for (const auto& [name, share] : own->sum) length.sum[name] = length.sum[name] + factor * share;
+  }
+  std::erase_if(length.sum, [](const auto& share) { return cln::zerop(share.second); });
+  if (length.sum.empty()) return std::nullopt;
+  return length;
+}
+
+/// Ties joints to the motors of tendons. With loops, beside which no joint follows another, none.
+void MjcfCouplings::read_motors(const MjcfModel& model) {
+  const auto has_loops = [](const Element& section) {
+    return section.name == "equality" &&
+           std::any_of(section.children.begin(), section.children.end(), is_loop);
+  };
+  if (std::any_of(model.root.children.begin(), model.root.children.end(), has_loops)) return;
+  const auto actuators = actuators_of(model.root, "tendon");
+  std::map<std::string, Sum> lengths;
+  for (const auto& [tendon, actuator] : actuators) {
+    const auto length = length_of(tendon);
+    if (!length) continue;
+    lengths[key_of(tendon)] = length->sum;
+    TendonMotor& motor = motors_[key_of(tendon)];
+    motor.in_pose = length->offset;
+    for (const auto& [joint, factor] : length->sum) motor.in_pose.add(factor, in_pose(joint));
+  }
+  std::set<std::string> driven;
+  for (const char* key : {"joint", "jointinparent"})
+    for (const auto& actuator : actuators_of(model.root, key)) driven.insert(actuator.first);
+  for (const TendonGroup& group : tendon_groups(lengths, driven)) add_group(model, group, actuators);
+  followed_.clear();
+}
+
+namespace {
+
+bool is_the_joint(const TendonGroup& group) {
+  if (group.relations.size() != 1) return false;
+  const JointSum& only = group.relations.begin()->second;
+  return only.size() == 1 && only.begin()->second == 1;
+}
+
+std::string list_of(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+}  // namespace
+
+/// Ties the joints of a group. A single joint whose value is the tendon's length stays as it is.
+void MjcfCouplings::add_group(const MjcfModel& model, const TendonGroup& group,
+                              const std::map<std::string, const Element*>& actuators) {
+  for (const std::string& key : group.tendons) {
+    const std::string tendon = key.substr(1);
+    const Element& actuator = *actuators.at(tendon);
+    const Element& fixed = *tendons_.at(tendon);
+    if (group.relations.empty())
+      context_->warning(actuator.place,
+                        "the motor of the tendon '" + tendon + "' moves " + list_of(group.joints) +
+                            ", which motors do not tell apart: each has a value of its own",
+                        "its force acts on a joint by the tendon's 'coef'");
+    if (group.relations.empty() || is_the_joint(group)) continue;
+    const MjcfNumbers numbers(*context_, model.settings);
+    const bool turns = MjcfNumbers::is_hinge(joints_.at(*group.joints.begin())->element);
+    motors_.at(key).motor = {key,
+                             numbers.tendon_motor(completed_tendon(*context_, model, fixed), tendon, turns),
+                             group.joints, actuator.place};
+  }
+  if (is_the_joint(group)) return;
+  for (const auto& [joint, sum] : group.relations) {
+    const Element& actuator = *actuators.at(group.tendons.front().substr(1));
+    add(joint, {actuator.place, &actuator, sum, {}});
+  }
 }
 
 void MjcfCouplings::add(const std::string& follower, Relation relation) {
@@ -126,8 +222,9 @@ MjcfCouplings::Value MjcfCouplings::value_of(const model::Expression& expression
   return {form.radians, form.half_turns};
 }
 
-/// The value of a joint as the file has it; 0 for what is no hinge and no slide.
+/// The value of a joint or a tendon as the file has it; 0 for what is no hinge and no slide.
 MjcfCouplings::Value MjcfCouplings::in_pose(const std::string& joint) const {
+  if (const auto motor = motors_.find(joint); motor != motors_.end()) return motor->second.in_pose;
   const auto known = joints_.find(joint);
   if (known == joints_.end()) return {};
   const MjcfNumbers numbers(*context_, known->second->placed.model->settings);
@@ -198,7 +295,7 @@ const MjcfCouplings::Followed* MjcfCouplings::followed(const std::string& joint,
 
 std::optional<tree::Mimic> MjcfCouplings::of(const std::string& joint) {
   const auto relation = relations_.find(joint);
-  if (relation == relations_.end()) return std::nullopt;
+  if (relation == relations_.end() || wrong_.count(joint) > 0) return std::nullopt;
   std::set<std::string> above;
   const Followed* found = followed(joint, above);
   if (found == nullptr) return std::nullopt;
@@ -206,8 +303,12 @@ std::optional<tree::Mimic> MjcfCouplings::of(const std::string& joint) {
   mimic.offset =
       model::add(model::Expression(found->offset.plain),
                  model::multiply(model::Expression(found->offset.half_turns), model::Expression::pi()));
-  for (const auto& [name, factor] : found->sum)
-    if (!cln::zerop(factor)) mimic.leaders.push_back({name, factor});
+  for (const auto& [name, factor] : found->sum) {
+    if (cln::zerop(factor)) continue;
+    mimic.leaders.push_back({name, factor});
+    if (const auto motor = motors_.find(name); motor != motors_.end())
+      mimic.motors.push_back(motor->second.motor);
+  }
   if (!mimic.leaders.empty()) return mimic;
   context_->warning(relation->second.place,
                     "<equality> holds the joint '" + joint + "', which is read as free",

@@ -4,12 +4,13 @@
 // For joints, and likewise for lengths of fixed tendons, which are sums of multiples of joints, MuJoCo keeps
 // y - y0 = a0 + a1 (x - x0) + a2 (x - x0)^2 + ..., where y0 and x0 are the values in the file's pose. Read is
 // what is linear. The first joint of a <joint> follows the second; of tendons the joint that is named last
-// follows the others.
+// follows the others. Joints that motors move by fixed tendons follow these (mjcf_motors.h).
 #pragma once
 
 #include <map>
 #include <set>
 
+#include "description/xml/mjcf_motors.h"
 #include "description/xml/mjcf_numbers.h"
 #include "description/xml/mjcf_tree.h"
 
@@ -22,7 +23,7 @@ class MjcfCouplings {
   std::optional<tree::Mimic> of(const std::string& joint);
 
  private:
-  using Sum = std::map<std::string, cln::cl_RA>;  ///< factors by names of joints
+  using Sum = JointSum;
   struct Relation {
     Place place;
     const Element* element;  ///< of the first relation of this joint
@@ -37,7 +38,10 @@ class MjcfCouplings {
   void read_tendons(const Element& element);
   [[nodiscard]] bool has_more(const Element& section) const;
   void add(const std::string& follower, Relation relation);
-  [[nodiscard]] Sum joints_of_tendon(const Element& element, const std::string& key, std::string* last);
+  [[nodiscard]] Sum joints_of_tendon(const std::string& name, std::string* last);
+  void read_motors(const MjcfModel& model);
+  void add_group(const MjcfModel& model, const TendonGroup& group,
+                 const std::map<std::string, const Element*>& actuators);
   /// A value of the form a + b pi: sums of such do not grow.
   struct Value {
     cln::cl_RA plain = 0, half_turns = 0;
@@ -53,11 +57,20 @@ class MjcfCouplings {
   [[nodiscard]] Value in_pose(const std::string& joint) const;
   [[nodiscard]] Value constant_of(const std::string& joint, const Relation& relation) const;
   static Value value_of(const model::Expression& expression);
+  /// A tendon's length as a sum of joints that follow none; nothing if there are none, or it is reported.
+  std::optional<Followed> length_of(const std::string& tendon);
+  /// The motor of a tendon, and the joints that its group has.
+  struct TendonMotor {
+    tree::TendonMotor motor;
+    Value in_pose;
+  };
 
   Context* context_;
   std::map<std::string, const MjcfJoint*> joints_;
   std::map<std::string, const Element*> tendons_;  ///< the fixed ones
   std::set<std::string> used_;                     ///< tendons that tie joints
+  std::map<std::string, TendonMotor> motors_;      ///< by key_of their tendons
+  std::set<std::string> wrong_;                    ///< joints whose relations are reported
   std::map<std::string, Relation> relations_;
   std::map<std::string, Followed> followed_;  ///< of those that were asked for
 };

@@ -146,9 +146,19 @@ model::Drive MjcfNumbers::drive(const Element& joint) const {
   drive.rotor_inertia = read_decimal(*context_, joint, "armature", 0).value;
   const Decimal stiffness = read_decimal(*context_, joint, "stiffness", 0);
   if (!cln::zerop(stiffness.value))
-    context_->warning(stiffness.place, "the spring of a joint is not read",
+    context_->warning(stiffness.place, "the spring of a " + joint.name + " is not read",
                       "add its force to what the dynamics gives");
   return drive;
+}
+
+model::Motor MjcfNumbers::tendon_motor(const Element& tendon, const std::string& name, bool turns) const {
+  model::Motor motor;
+  motor.type = turns ? model::JointType::revolute : model::JointType::prismatic;
+  motor.variable = name;
+  motor.limits = limits(tendon, name, false);
+  motor.greatest_effort = greatest_effort(tendon);
+  motor.drive = drive(tendon);
+  return motor;
 }
 
 bool MjcfNumbers::is_hinge(const Element& joint) {

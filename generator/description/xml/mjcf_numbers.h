@@ -19,6 +19,8 @@ class MjcfNumbers {
   /// The joint, whose attributes are complete, about a point of the body's frame: before, motion, after.
   /// Nothing if it is of a type that no chain has.
   [[nodiscard]] std::optional<tree::Segment> joint(const Element& joint, const std::string& name) const;
+  /// The motor of a fixed tendon, whose value is the tendon's length: rad if it `turns` joints, else m.
+  [[nodiscard]] model::Motor tendon_motor(const Element& tendon, const std::string& name, bool turns) const;
   /// Value of a joint where the body stands as the file has it.
   [[nodiscard]] model::Expression reference(const Element& joint) const;
   /// An angle that is in radians whatever the file's unit.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cut_arms.h"
+#include "directed_arms.h"
 #include "five_arms.h"
 #include "other_zeros.h"
 #include "pitched_arms.h"
@@ -134,6 +135,21 @@ class Writer {
     return description("random arm with a pitch", joints,
                        "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" +
                            (given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n"));
+  }
+
+  /// Six joints with a wrist or three parallel axes; the generator chooses the one to give.
+  std::string directed(const std::string& keys) {
+    const bool meet = below(2) == 0;
+    const Axis common = axis();
+    std::string joints;
+    for (int i = 0; i < 6; ++i) {
+      const bool three = i >= place_ && i < place_ + 3;
+      if (meet)
+        joints += three ? wrist_joint(i) : arm_joint(i);
+      else
+        joints += three ? parallel_joint(i, common) : turning_joint(i, common);
+    }
+    return description("random arm with a direction", joints, keys);
   }
 
   /// Six joints, five, or seven of which one is given; no two axes meet or are parallel but by chance.
@@ -345,6 +361,13 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
                ? "name = \"" + name + "\"\ntitle = \"with a pitch\"\ntask = \"position_and_pitch\"\n" +
                      pitched_arms[seed]
                : Writer(name, seed).pitched();
+  }
+  if (family == "directed") {
+    const std::string name = arm_name(family, seed);
+    const std::string keys = "task = \"position_and_direction\"\n";
+    return seed < directed_arms.size()
+               ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys + directed_arms[seed].text
+               : Writer(name, seed).directed(keys);
   }
   if (family == "machines") {
     const std::string name = arm_name(family, seed);

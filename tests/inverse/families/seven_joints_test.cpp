@@ -23,6 +23,16 @@ TEST_P(SevenJoints, RowsHaveTheGivenJointAsItIs) {
       EXPECT_EQ(row.q[GetParam().info.given_joint], given) << GetParam().name;
   }
 }
+TEST_P(SevenJoints, AGivenValueThatIsNoNumberIsInvalid) {
+  const Sample sample = sample_at(test(), test().joints());
+  for (const double none :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Found found = test().robot().solve(sample.pose, none, 1e-12);
+    EXPECT_EQ(found.status, Status::invalid);
+    EXPECT_TRUE(found.rows.empty());
+    EXPECT_EQ(GetParam().solve_near(sample.pose, none, sample.q).status, Status::invalid);
+  }
+}
 TEST_P(SevenJoints, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 TEST_P(SevenJoints, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 TEST_P(SevenJoints, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_that_is_allowed(); }
