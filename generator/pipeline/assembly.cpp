@@ -44,7 +44,10 @@ json tips_of(const model::Mechanism& mechanism, const std::vector<LimbInverse>& 
     for (const model::Parameter& parameter : limbs[i].geometry) fields.push_back({{"field", parameter.name}});
     tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}, {"inverse", false}});
     if (i >= inverses.size() || inverses[i].function.empty()) continue;
-    tips.back()["inverse"] = {{"function", inverses[i].function}, {"type", inverses[i].type}};
+    tips.back()["inverse"] = {{"function", inverses[i].function},
+                              {"type", inverses[i].type},
+                              {"space", inverses[i].space},
+                              {"has_gears", inverses[i].has_gears}};
   }
   return tips;
 }

@@ -36,14 +36,14 @@ std::vector<std::string> flags(std::size_t count, const std::vector<std::size_t>
   return list;
 }
 
-/// The symbols that stand for a joint, with their values in code.
+/// The symbols that stand for a joint, with their values in code. With the rate there is a turn's angle, too.
 json values_of_joint(const model::Robot& robot, std::size_t joint, bool with_rate) {
   const std::string& variable = robot.joints[joint].variable;
   const std::string q = fmt::format("q[{}]", joint);
   json list = json::array();
-  if (robot.joints[joint].type == model::JointType::prismatic) {
-    list.push_back({{"name", variable}, {"value", q}});
-  } else {
+  const bool slides = robot.joints[joint].type == model::JointType::prismatic;
+  if (slides || with_rate) list.push_back({{"name", variable}, {"value", q}});
+  if (!slides) {
     list.push_back({{"name", names::cosine(variable)}, {"value", "std::cos(" + q + ")"}});
     list.push_back({{"name", names::sine(variable)}, {"value", "std::sin(" + q + ")"}});
   }
@@ -114,6 +114,19 @@ std::vector<std::string> entries(std::size_t rows, std::size_t columns) {
   return list;
 }
 
+/// Code for the values of joints that gears lead, one after the other.
+json values_of_gears(const AssemblyPlan& assembly) {
+  json list = json::array();
+  std::vector<derive::loops::Geared> gears = assembly.geared;
+  gears.insert(gears.end(), assembly.led.begin(), assembly.led.end());
+  for (const derive::loops::Geared& each : gears) {
+    const ProgramCode code =
+        code_of(derive::loops::program_of(each, assembly.robot, assembly.cycles), assembly.robot, numbers(1));
+    list.push_back({{"joint", each.joint}, {"values", code.values}, {"code", code.code}});
+  }
+  return list;
+}
+
 json fields_of(const std::vector<std::string>& list) {
   json result = json::array();
   for (const std::string& name : list) result.push_back({{"field", name}});
@@ -128,6 +141,15 @@ std::string text_of_order(const model::Robot& described, const AssemblyPlan& ass
              described.joints[static_cast<std::size_t>(step.joint)].variable +
              ": the number of one changes where others appear or vanish, its place next to a seed does not.";
   return "";
+}
+
+/// Says which numbers of equations are gears'.
+std::string text_of_gears(const AssemblyPlan& assembly) {
+  const auto is_gear = [](const derive::loops::Cycle& cycle) { return cycle.type == model::LoopType::gear; };
+  const auto first = std::find_if(assembly.cycles.begin(), assembly.cycles.end(), is_gear);
+  if (first == assembly.cycles.end()) return "";
+  return fmt::format(" From {} on they are joints that follow others, rad or m, and their forces N m or N.",
+                     first->number);
 }
 
 /// The gap, a share of the size, of closed rows; wider where more joints than freedoms are given, rounded.
@@ -171,7 +193,7 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
   std::string doc = "In the order";
   for (const std::size_t i : assembly.used) doc += " " + std::to_string(i + 1);
   for (const std::size_t i : assembly.redundant) doc += " " + std::to_string(i + 1) + " (redundant)";
-  values["gap_doc"] = doc + " of the description's loops.";
+  values["gap_doc"] = doc + " of the description's loops." + text_of_gears(assembly);
 }
 
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
@@ -183,7 +205,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   json geometry = json::array();
   for (const auto& [name, field] : emit::geometry_fields(robot)) geometry.push_back({{"field", field}});
   json given_values = json::array();
-  for (const std::size_t joint : assembly.given)
+  for (const std::size_t joint : assembly.known())
     for (const json& value : values_of_joint(robot, joint, false)) given_values.push_back(value);
   return {{"function", variant.function},
           {"type", variant.type},
@@ -199,7 +221,9 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
                                     : fmt::format("Eigen::Matrix<double, {}, 1>", variant.given.size())},
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
-          {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
+          {"given_flags", commas(flags(robot.joints.size(), assembly.known()))},
+          {"has_gears", assembly.has_gears()},
+          {"gears", values_of_gears(assembly)},
           {"given_values", given_values},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},

@@ -4,6 +4,7 @@
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
+#include "model/private_names.h"
 
 namespace qvgen::derive::loops {
 namespace {
@@ -32,9 +33,23 @@ model::Robot with_named_angles(model::Robot robot) {
   return robot;
 }
 
+model::Expression with_named_number(const model::Expression& value) {
+  if (!model::symbols(value).empty() || model::rational_value(model::evaluate(value))) return value;
+  return named(value);
+}
+
+model::Turn turn_by_offset(const model::Gear& gear) {
+  model::Robot robot;
+  robot.joints.emplace_back();
+  robot.joints[0].before.turns = {
+      {{model::Expression(), model::Expression(), model::Expression(cln::cl_RA(1))}, gear.offset}};
+  return with_named_angles(model::with_private_names(robot)).joints[0].before.turns[0];
+}
+
 inverse::Scope scope_of(model::Robot robot, const model::Loops& loops) {
   for (const model::Loop& loop : loops.closures)  // a scope knows the symbols of all frames
     for (const model::Turn& turn : with_named_angles(loop.turns)) robot.tool.turns.push_back(turn);
+  for (const model::Gear& gear : loops.gears) robot.tool.turns.push_back(turn_by_offset(gear));
   return inverse::Scope(robot);
 }
 

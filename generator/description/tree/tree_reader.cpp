@@ -32,9 +32,12 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
   std::sort(read_nodes_.begin(), read_nodes_.end());
   if (!order.empty()) standing_[(*nodes_)[order.front()].parent] = {};
   for (const std::size_t node : order) read_node(node, robot);
-  tie_followers(*context_, names_, robot);
   if (!robot.joints.empty()) check_ends(robot);
 }
+
+void TreeReader::tie(model::Robot& robot) { tie_followers(*context_, names_, robot); }
+
+std::vector<model::Gear> TreeReader::gears(model::Robot& robot) { return gears_of(*context_, names_, robot); }
 
 model::Inertia TreeReader::read_base(std::size_t base, const Body& own,
                                      const std::vector<std::size_t>& order) {

@@ -21,6 +21,9 @@ class TreeReader {
   /// Fills in the joints that hold these nodes, each of which stands behind its parent. Their first parent is
   /// the base.
   void read(const std::vector<std::size_t>& order, model::Robot& robot);
+  /// Ties followers to their leaders, or returns their relations, for loops.
+  void tie(model::Robot& robot);
+  std::vector<model::Gear> gears(model::Robot& robot);
 
   /// Returns the inertia of the base with all that is fixed to it, in its own frame. `order`: as `read` has
   /// it.
