@@ -152,6 +152,8 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
   add_variants(mechanism, plans, output, values);
   output.files.push_back(
       {"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
+  output.files.push_back(
+      {"include/qvgen/robots/" + name + "/assembly_batch.h", emit::render("cpp/assembly_batch.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
   if (!has.with_c) return;
   output.files.push_back({"c/qvgen_" + name + "_assembly.h", emit::render("c/assembly.h", values)});
