@@ -9,14 +9,17 @@
 namespace qvgen::derive::loops {
 namespace {
 
+model::Expression symbol_of(const cln::cl_R& value) {
+  const model::Expression size = model::Expression::symbol(exact::name_of_angle(cln::abs(value)));
+  return cln::minusp(value) ? model::negate(size) : size;
+}
+
 model::Expression named(const model::Expression& angle) {
   const auto form = model::angle_form(angle);
   const bool is_number = form.has_value() || model::symbols(angle).empty();
   const bool is_exact = form && cln::zerop(form->radians) && cln::denominator(form->half_turns * 12) == 1;
   if (!is_number || is_exact) return angle;
-  const cln::cl_R value = model::evaluate(angle);
-  const model::Expression size = model::Expression::symbol(exact::name_of_angle(cln::abs(value)));
-  return cln::minusp(value) ? model::negate(size) : size;
+  return symbol_of(model::evaluate(angle));
 }
 
 }  // namespace
@@ -35,7 +38,7 @@ model::Robot with_named_angles(model::Robot robot) {
 
 model::Expression with_named_number(const model::Expression& value) {
   if (!model::symbols(value).empty() || model::rational_value(model::evaluate(value))) return value;
-  return named(value);
+  return symbol_of(model::evaluate(value));
 }
 
 model::Turn turn_by_offset(const model::Gear& gear) {
