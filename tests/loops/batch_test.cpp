@@ -113,7 +113,7 @@ TEST(BatchOfAssemblies, HasTheRowsOfSingleCallsFromMotorsAndFromThePlatform) {
                   delta::assemble_from_outputs(x.part(first, part), found);
                 },
                 [&](std::size_t k) { return delta::assemble_from_outputs(batch::joints_at<3>(x, k)); }),
-            1000);
+            100);
 }
 
 TEST(BatchOfAssemblies, IsNextToSeeds) {
