@@ -14,7 +14,7 @@
 #include <qvgen/robots/delta/assembly_batch.h>
 #include <qvgen/robots/gripper/assembly_batch.h>
 
-namespace qvgen::test::loops {
+namespace qvgen::test::loops_batch {
 namespace {
 
 namespace arm = qvgen::robots::arm_with_parallelogram;
@@ -171,4 +171,4 @@ TEST(BatchOfAssemblies, TakesAsManyInputsAsTheShortestBatchHas) {
 }
 
 }  // namespace
-}  // namespace qvgen::test::loops
+}  // namespace qvgen::test::loops_batch
