@@ -245,6 +245,20 @@ TEST(AssemblyPlan, SaysWhyJointsThatFollowOthersAreOpen) {
             "");
 }
 
+/// Lengths by which slides are ahead may be symbols; angles are numbers, as those of frames.
+TEST(LoopCertificate, HoldsForSlidesThatAreAheadByASymbol) {
+  const auto text = [](const std::string& follower) {
+    return head("\"a\"") + "[defaults]\nh = 0.1\n" + joint("a", "link = [0.3, 0, 0]\n") + joint("b", "") +
+           joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") + tip +
+           pin("b", "[0.6, 0, 0]", "c", "[0.5, 0, 0]") + follower;
+  };
+  const auto slides =
+      mechanism_of(text(joint("s", "parent = \"base\"\nfollows = \"a\"\noffset = \"h\"\n", "prismatic")));
+  expect_certificate(slides, slides.loops.actuated);
+  const auto turns = mechanism_of(text(joint("w", "parent = \"base\"\nfollows = \"a\"\noffset = \"h\"\n")));
+  EXPECT_THROW(derive::loops::assembly_plan(turns, turns.loops.actuated), std::domain_error);
+}
+
 /// Five-bars of random lengths: one crank follows the driven one by any factor, a wheel the joints that the
 /// loop holds by whole ones, and leads a rod on.
 TEST(LoopCertificate, HoldsForRandomGears) {

@@ -152,14 +152,17 @@ void add_directions(const model::Loop& loop, const model::Robot& robot, const in
   add(slides ? axis : in_both_links(robot, cycle, across(*cycle.normal)[0])[0]);
 }
 
-Cycle cycle_of(const model::Gear& gear, const PrivateNames& names) {
+Cycle cycle_of(const model::Robot& described, const model::Gear& gear, const PrivateNames& names) {
   Cycle cycle;
   cycle.type = model::LoopType::gear;
   cycle.gear = {{gear.joint, 1}};
   for (const auto& [leader, ratio] : gear.leaders) cycle.gear.emplace_back(leader, -ratio);
   cycle.offset = names.of(with_named_number(gear.offset));
-  if (cycle.offset.has(GiNaC::Pi))
-    throw std::domain_error("an offset of gears that has both symbols and pi; write it as one symbol");
+  const model::Joint& joint = described.joints[gear.joint];
+  if (joint.type == model::JointType::prismatic) return cycle;
+  if (!model::symbols(gear.offset).empty())
+    throw std::domain_error("the angle by which joint " + joint.variable +
+                            " is ahead of what it follows is a symbol; write a number");
   cycle.turn = symbolic::to_symbolic(model::Displacement{{turn_by_offset(gear)}, {}}).q;
   return cycle;
 }
@@ -214,7 +217,7 @@ std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Rob
     add_directions(mechanism.loops.closures[i], robot, scope, cycles.back());
   }
   for (const model::Gear& gear : mechanism.loops.gears) {
-    cycles.push_back(cycle_of(gear, names));
+    cycles.push_back(cycle_of(mechanism.robot, gear, names));
     cycles.back().number = cycles.size();
   }
   return cycles;

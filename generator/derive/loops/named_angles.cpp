@@ -4,7 +4,6 @@
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
-#include "model/private_names.h"
 
 namespace qvgen::derive::loops {
 namespace {
@@ -42,17 +41,16 @@ model::Expression with_named_number(const model::Expression& value) {
 }
 
 model::Turn turn_by_offset(const model::Gear& gear) {
-  model::Robot robot;
-  robot.joints.emplace_back();
-  robot.joints[0].before.turns = {
-      {{model::Expression(), model::Expression(), model::Expression(cln::cl_RA(1))}, gear.offset}};
-  return with_named_angles(model::with_private_names(robot)).joints[0].before.turns[0];
+  const model::Vector3 z{model::Expression(), model::Expression(), model::Expression(cln::cl_RA(1))};
+  return with_named_angles(std::vector<model::Turn>{{z, gear.offset}}).front();
 }
 
 inverse::Scope scope_of(model::Robot robot, const model::Loops& loops) {
   for (const model::Loop& loop : loops.closures)  // a scope knows the symbols of all frames
     for (const model::Turn& turn : with_named_angles(loop.turns)) robot.tool.turns.push_back(turn);
-  for (const model::Gear& gear : loops.gears) robot.tool.turns.push_back(turn_by_offset(gear));
+  for (const model::Gear& gear : loops.gears)
+    if (robot.joints[gear.joint].type == model::JointType::revolute && model::symbols(gear.offset).empty())
+      robot.tool.turns.push_back(turn_by_offset(gear));
   return inverse::Scope(robot);
 }
 
