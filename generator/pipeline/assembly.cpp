@@ -8,6 +8,7 @@
 
 #include "emit/math/describe.h"
 #include "emit/render.h"
+#include "pipeline/assembly_in_c.h"
 #include "pipeline/assembly_values.h"
 #include "pipeline/limbs.h"
 #include "pipeline/loop_variants.h"
@@ -156,6 +157,9 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
       {"include/qvgen/robots/" + name + "/assembly_batch.h", emit::render("cpp/assembly_batch.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
   if (!has.with_c) return;
+  const std::string in_c = assemblies_in_c(mechanism, plans, first_found(plans), values);
+  values["in_c"] = !in_c.empty();
+  if (!in_c.empty()) output.files.push_back({"c/qvgen_" + name + "_assembly.c", in_c});
   output.files.push_back({"c/qvgen_" + name + "_assembly.h", emit::render("c/assembly.h", values)});
   output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
 }
