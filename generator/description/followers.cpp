@@ -2,6 +2,7 @@
 #include "description/followers.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "description/entries.h"
 #include "description/names.h"
@@ -9,6 +10,7 @@
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 #include "model/followers.h"
+#include "model/mechanism.h"
 
 namespace qvgen::description {
 namespace {
@@ -112,6 +114,23 @@ class Ties {
                          "' follows several and has Coulomb friction, whose direction is no "
                          "sum of theirs",
                      "give the friction to the motors");
+  }
+
+  /// The relation of a joint that keeps a value of its own; nothing where it is reported.
+  std::optional<model::Gear> gear(const Follower& follower) {
+    if (follower.may_be_alone && is_alone(follower)) return std::nullopt;
+    model::Gear gear{follower.joint, {}, follower.offset};
+    std::vector<Leader> leaders;
+    for (const model::Lead& lead : follower.leaders) {
+      const auto leader = leader_of(follower, lead.variable);
+      if (!leader) return std::nullopt;
+      leaders.push_back(*leader);
+      gear.leaders.emplace_back(std::find(names_.begin(), names_.end(), lead.variable) - names_.begin(),
+                                lead.ratio);
+    }
+    if (leaders.size() == 1)
+      hand_on_limits(context_, follower, robot_.joints[follower.joint], leaders.front());
+    return gear;
   }
 
   /// Every motor moves something, and no two alike.
@@ -254,6 +273,32 @@ void tie_followers(Context& context, const std::vector<std::string>& names, mode
   Ties ties(context, names, robot);
   for (const Follower& follower : context.followers) ties.tie(follower);
   ties.check_motors();
+}
+
+std::vector<model::Gear> gears_of(Context& context, const std::vector<std::string>& names,
+                                  model::Robot& robot) {
+  Ties ties(context, names, robot);
+  std::vector<model::Gear> gears;
+  for (const Follower& follower : context.followers)
+    if (const auto gear = ties.gear(follower)) gears.push_back(*gear);
+  return gears;
+}
+
+void make_motors_joints(Context& context, model::Robot& robot) {
+  const std::vector<model::Motor> motors = std::exchange(robot.motors, {});
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    model::Joint joint;
+    joint.type = motors[i].type;
+    joint.variable = motors[i].variable;
+    joint.axis = {Expression(), Expression(), Expression(cln::cl_RA(1))};
+    joint.limits = motors[i].limits;
+    joint.drive = motors[i].drive;
+    joint.greatest_velocity = motors[i].greatest_velocity;
+    joint.greatest_effort = motors[i].greatest_effort;
+    robot.joints.push_back(std::move(joint));
+    model::set_parent(robot, robot.joints.size() - 1, model::base_link);
+    context.joint_places.push_back(context.motor_places[i]);
+  }
 }
 
 }  // namespace qvgen::description

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "description/document.h"
+#include "model/loops.h"
 
 namespace qvgen::description {
 
@@ -15,5 +16,13 @@ bool follows_sum(const Table& table);
 /// as the file has them. Offsets go into the frames, and limits to the only leader: it stays where its
 /// followers are within theirs. A joint with several leaders keeps its limits. Mistakes are reported.
 void tie_followers(Context& context, const std::vector<std::string>& names, model::Robot& robot);
+
+/// Returns the followers that the context has met as relations between joints that have values of their own,
+/// as loops need them. Limits go to an only leader likewise; mistakes are reported.
+std::vector<model::Gear> gears_of(Context& context, const std::vector<std::string>& names,
+                                  model::Robot& robot);
+
+/// Makes motors joints behind the others, which carry nothing: so a mechanism with loops has them.
+void make_motors_joints(Context& context, model::Robot& robot);
 
 }  // namespace qvgen::description

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "description/entries.h"
+#include "description/followers.h"
 #include "description/frames.h"
 #include "description/names.h"
 #include "description/tree/tree.h"
@@ -205,16 +206,13 @@ void check_joints(const Table& table, const model::Robot& robot, model::Loop& lo
                         "name a prismatic joint, whose value is the length of the rod, or a number");
 }
 
-/// Requests of a chain and joints that follow others have no meaning yet beside loops.
+/// Requests of a chain have no meaning beside loops.
 void refuse_beside_loops(const Table& root) {
   Context& context = root.context();
   for (const char* key : {"task", "tool_axis", "given", "ideal"})
     if (root.has(key))
       context.error(root.key_place(key), "'" + std::string(key) + "' beside [[loop]]",
                     "it belongs to a chain; name the platform's joints by outputs = [...]");
-  for (const Follower& follower : context.followers)
-    context.error(follower.place, "a joint that follows another beside [[loop]]",
-                  "give it a value of its own, or leave the loops out");
 }
 
 }  // namespace
@@ -237,12 +235,15 @@ void read_loops(const Table& root, model::Mechanism& mechanism) {
                       "all joints of a tree are driven; a loop makes some of them passive");
     return;
   }
-  const LoopNames names = names_of(mechanism.robot);
+  LoopNames names = names_of(mechanism.robot);
   for (const Table& table : loop_tables(root)) {
     loops.closures.push_back(read_loop(table, names));
     check_joints(table, mechanism.robot, loops.closures.back());
   }
   refuse_beside_loops(root);
+  make_motors_joints(context, mechanism.robot);
+  names.joints = names_of(mechanism.robot).joints;
+  loops.gears = gears_of(context, names.joints, mechanism.robot);
   loops.actuated = read_joint_list(root, "actuated", names);
   loops.outputs = read_joint_list(root, "outputs", names);
 }

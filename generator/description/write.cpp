@@ -129,11 +129,18 @@ std::string limits_text(const Moving& joint) {
   return result;
 }
 
-std::string follows_text(const model::Joint& joint) {
+/// `offset`: a constant that does not stand in the joint's frame.
+std::string follows_text(const model::Joint& joint, const Expression& offset = {}) {
   if (joint.follows.empty()) return "";
-  if (joint.follows.size() > 1) return "follows = " + quoted(model::relation_text(joint.follows)) + "\n";
+  const bool is_zero = offset.is_literal_zero();
+  if (joint.follows.size() > 1)
+    return "follows = " +
+           quoted(model::relation_text(joint.follows) + (is_zero ? "" : " + (" + to_string(offset) + ")")) +
+           "\n";
   const auto& [leader, ratio] = joint.follows.front();
-  return "follows = " + quoted(leader) + "\n" + (ratio == 1 ? "" : "ratio = " + text(ratio) + "\n");
+  const bool turns = joint.type == model::JointType::revolute;
+  return "follows = " + quoted(leader) + "\n" + (ratio == 1 ? "" : "ratio = " + text(ratio) + "\n") +
+         (is_zero ? "" : "offset = " + (turns ? angle_text : text)(offset) + "\n");
 }
 
 std::string parent_text(const model::Robot& robot, const model::Joint& joint) {
@@ -153,12 +160,12 @@ std::string drive_text(const model::Drive& drive) {
          entry("coulomb_friction", drive.coulomb_friction);
 }
 
-std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
+std::string joint_text(const model::Robot& robot, const model::Joint& joint, const Expression& offset) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
   result += "axis = " + quoted_axis(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
-            parent_text(robot, joint) + follows_text(joint);
+            parent_text(robot, joint) + follows_text(joint, offset);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
     result += "link = " + list(joint.after.translation) + "\n";
@@ -206,8 +213,16 @@ std::string request_text(const model::Robot& robot) {
 
 namespace {
 
-/// The description of a robot; `keys` stand in front of all tables.
-std::string text_of(const model::Robot& robot, const std::string& keys) {
+Expression offset_of(std::size_t joint, const std::vector<model::Gear>& gears) {
+  const auto of_joint = [&](const model::Gear& gear) { return gear.joint == joint; };
+  const auto found = std::find_if(gears.begin(), gears.end(), of_joint);
+  return found == gears.end() ? Expression() : found->offset;
+}
+
+/// The description of a robot; `keys` stand in front of all tables. The offsets of `gears` stand in no
+/// frames.
+std::string text_of(const model::Robot& robot, const std::string& keys,
+                    const std::vector<model::Gear>& gears = {}) {
   std::string result =
       "# Lengths in metres, angles in radians unless they say deg, masses in kilograms; every number is "
       "exact.\n";
@@ -215,7 +230,8 @@ std::string text_of(const model::Robot& robot, const std::string& keys) {
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
   result += keys + request_text(robot) + parameters_text(robot);
   result += table("base", robot.base) + table("tool", robot.tool) + floating_base_text(robot);
-  for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    result += joint_text(robot, robot.joints[i], offset_of(i, gears));
   for (const model::Motor& motor : robot.motors) result += motor_text(motor);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");
   return result;
@@ -255,9 +271,14 @@ std::string joints_text(const model::Robot& robot, const std::string& key,
 std::string write_text(const model::Robot& robot) { return text_of(robot, ""); }
 
 std::string write_text(const model::Mechanism& mechanism) {
-  const auto& [robot, tips, loops] = mechanism;
+  const auto& [described, tips, loops] = mechanism;
+  model::Robot robot = described;
+  for (const model::Gear& gear : loops.gears)
+    for (const auto& [leader, ratio] : gear.leaders)
+      robot.joints[gear.joint].follows.push_back({robot.joints[leader].variable, ratio});
   std::string result = text_of(
-      robot, joints_text(robot, "actuated", loops.actuated) + joints_text(robot, "outputs", loops.outputs));
+      robot, joints_text(robot, "actuated", loops.actuated) + joints_text(robot, "outputs", loops.outputs),
+      loops.gears);
   for (const model::Frame& tip : tips) result += named_frame_text(robot, tip, "tip");
   for (const model::Loop& loop : loops.closures) result += loop_text(robot, loop);
   return result;

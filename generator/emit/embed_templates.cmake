@@ -13,6 +13,7 @@ function(read_numbers prefix header)
 endfunction()
 read_numbers(tolerance inverse/tolerances.h)
 read_numbers(tolerance unit_tolerance.h)
+read_numbers(tolerance assembly.h)
 read_numbers(constant inverse/constants.h)
 
 # Puts the numbers of the runtime in the place of their names.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/robot.h"
@@ -12,11 +13,12 @@ namespace qvgen::model {
 
 /// Kinds of closures.
 enum class LoopType {
-  pin,   ///< a point is common to both links, and an axis through it
-  ball,  ///< a point is common to both links
-  rod,   ///< two points keep their distance
-  weld,  ///< the links are one
-  slide  ///< links that slide along each other: a line is common to both, and the links do not turn about it
+  pin,    ///< a point is common to both links, and an axis through it
+  ball,   ///< a point is common to both links
+  rod,    ///< two points keep their distance
+  weld,   ///< the links are one
+  slide,  ///< links that slide along each other: a line is common to both, and the links do not turn about it
+  gear    ///< no closure of links: joints that move together (Gear)
 };
 
 /// A closure of a loop. A link is called by the index of the joint that moves it, or `base_link`.
@@ -31,9 +33,17 @@ struct Loop {
   std::optional<std::size_t> length_joint = {};  ///< slide whose value is the length of a rod
 };
 
+/// Joints that move together: the value of one is a constant and the sum of others, each times its factor.
+struct Gear {
+  std::size_t joint = 0;
+  std::vector<std::pair<std::size_t, cln::cl_RA>> leaders = {};
+  Expression offset = {};  ///< rad or m
+};
+
 /// All closures of a mechanism, with the joints that are driven.
 struct Loops {
   std::vector<Loop> closures = {};         ///< in the order of the file
+  std::vector<Gear> gears = {};            ///< of joints that follow others: among loops each has a value
   std::vector<std::size_t> actuated = {};  ///< joints with motors; the others are passive
   std::vector<std::size_t> outputs = {};   ///< joints that say where a platform is; may be empty
 

@@ -8,6 +8,7 @@
 
 #include "emit/math/describe.h"
 #include "emit/render.h"
+#include "pipeline/assembly_in_c.h"
 #include "pipeline/assembly_values.h"
 #include "pipeline/limbs.h"
 #include "pipeline/loop_variants.h"
@@ -44,7 +45,10 @@ json tips_of(const model::Mechanism& mechanism, const std::vector<LimbInverse>& 
     for (const model::Parameter& parameter : limbs[i].geometry) fields.push_back({{"field", parameter.name}});
     tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}, {"inverse", false}});
     if (i >= inverses.size() || inverses[i].function.empty()) continue;
-    tips.back()["inverse"] = {{"function", inverses[i].function}, {"type", inverses[i].type}};
+    tips.back()["inverse"] = {{"function", inverses[i].function},
+                              {"type", inverses[i].type},
+                              {"space", inverses[i].space},
+                              {"has_gears", inverses[i].has_gears}};
   }
   return tips;
 }
@@ -149,8 +153,13 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
   add_variants(mechanism, plans, output, values);
   output.files.push_back(
       {"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
+  output.files.push_back(
+      {"include/qvgen/robots/" + name + "/assembly_batch.h", emit::render("cpp/assembly_batch.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
   if (!has.with_c) return;
+  const std::string in_c = assemblies_in_c(mechanism, plans, first_found(plans), values);
+  values["in_c"] = !in_c.empty();
+  if (!in_c.empty()) output.files.push_back({"c/qvgen_" + name + "_assembly.c", in_c});
   output.files.push_back({"c/qvgen_" + name + "_assembly.h", emit::render("c/assembly.h", values)});
   output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
 }

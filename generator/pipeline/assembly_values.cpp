@@ -8,6 +8,7 @@
 #include "derive/loops/constraints.h"
 #include "emit/ast/literal.h"
 #include "emit/ast/printer.h"
+#include "emit/c/printer.h"
 #include "emit/cpp/printer.h"
 #include "emit/inverse/every_assembly.h"
 #include "emit/inverse/steps.h"
@@ -36,16 +37,25 @@ std::vector<std::string> flags(std::size_t count, const std::vector<std::size_t>
   return list;
 }
 
-/// The symbols that stand for a joint, with their values in code.
-json values_of_joint(const model::Robot& robot, std::size_t joint, bool with_rate) {
+/// A language, and what stands in front of its functions of mathematics.
+struct Dialect {
+  const emit::ast::Printer& printer;
+  std::string math;
+};
+
+Dialect in_cpp() { return {emit::cpp(), "std::"}; }
+Dialect in_c() { return {emit::c::printer(), ""}; }
+
+/// The symbols that stand for a joint, with their values in code. With the rate there is a turn's angle, too.
+json values_of_joint(const model::Robot& robot, std::size_t joint, bool with_rate, const Dialect& dialect) {
   const std::string& variable = robot.joints[joint].variable;
   const std::string q = fmt::format("q[{}]", joint);
   json list = json::array();
-  if (robot.joints[joint].type == model::JointType::prismatic) {
-    list.push_back({{"name", variable}, {"value", q}});
-  } else {
-    list.push_back({{"name", names::cosine(variable)}, {"value", "std::cos(" + q + ")"}});
-    list.push_back({{"name", names::sine(variable)}, {"value", "std::sin(" + q + ")"}});
+  const bool slides = robot.joints[joint].type == model::JointType::prismatic;
+  if (slides || with_rate) list.push_back({{"name", variable}, {"value", q}});
+  if (!slides) {
+    list.push_back({{"name", names::cosine(variable)}, {"value", dialect.math + "cos(" + q + ")"}});
+    list.push_back({{"name", names::sine(variable)}, {"value", dialect.math + "sin(" + q + ")"}});
   }
   if (with_rate) list.push_back({{"name", "rate_" + variable}, {"value", fmt::format("qd[{}]", joint)}});
   return list;
@@ -77,7 +87,7 @@ struct ProgramCode {
 };
 
 ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
-                    const std::vector<std::string>& places) {
+                    const std::vector<std::string>& places, const Dialect& dialect) {
   std::vector<std::string> all;
   for (const auto& output : program.outputs()) all.push_back(output.name);
   dag::Function function = derive::inverse::lowered(program, all);
@@ -93,10 +103,10 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
   function.outputs = outputs;
   const emit::ast::Straight straight = emit::ast::straight(function, leaves_of(robot));
   ProgramCode result;
-  result.code = emit::values_of(straight, emit::cpp());
+  result.code = emit::values_of(straight, dialect.printer);
   for (std::size_t i = 0; i < kept.size(); ++i) result.code["outputs"][i]["place"] = kept[i];
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint)
-    for (const json& value : values_of_joint(robot, joint, true))
+    for (const json& value : values_of_joint(robot, joint, true, dialect))
       if (emit::ast::mentions(straight, value["name"])) result.values.push_back(value);
   return result;
 }
@@ -114,6 +124,26 @@ std::vector<std::string> entries(std::size_t rows, std::size_t columns) {
   return list;
 }
 
+/// Code for the values of joints that gears lead, one after the other.
+json values_of_gears(const AssemblyPlan& assembly, const Dialect& dialect) {
+  json list = json::array();
+  std::vector<derive::loops::Geared> gears = assembly.geared;
+  gears.insert(gears.end(), assembly.led.begin(), assembly.led.end());
+  for (const derive::loops::Geared& each : gears) {
+    const ProgramCode code = code_of(derive::loops::program_of(each, assembly.robot, assembly.cycles),
+                                     assembly.robot, numbers(1), dialect);
+    list.push_back({{"joint", each.joint}, {"values", code.values}, {"code", code.code}});
+  }
+  return list;
+}
+
+json values_of_known(const AssemblyPlan& assembly, const Dialect& dialect) {
+  json list = json::array();
+  for (const std::size_t joint : assembly.known())
+    for (const json& value : values_of_joint(assembly.robot, joint, false, dialect)) list.push_back(value);
+  return list;
+}
+
 json fields_of(const std::vector<std::string>& list) {
   json result = json::array();
   for (const std::string& name : list) result.push_back({{"field", name}});
@@ -128,6 +158,15 @@ std::string text_of_order(const model::Robot& described, const AssemblyPlan& ass
              described.joints[static_cast<std::size_t>(step.joint)].variable +
              ": the number of one changes where others appear or vanish, its place next to a seed does not.";
   return "";
+}
+
+/// Says which numbers of equations are gears'.
+std::string text_of_gears(const AssemblyPlan& assembly) {
+  const auto is_gear = [](const derive::loops::Cycle& cycle) { return cycle.type == model::LoopType::gear; };
+  const auto first = std::find_if(assembly.cycles.begin(), assembly.cycles.end(), is_gear);
+  if (first == assembly.cycles.end()) return "";
+  return fmt::format(" From {} on they are joints that follow others, rad or m, and their forces N m or N.",
+                     first->number);
 }
 
 /// The gap, a share of the size, of closed rows; wider where more joints than freedoms are given, rounded.
@@ -164,14 +203,15 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
     values[name + "_values"] = code.values;
     values[name + "_code"] = code.code;
   };
-  add("gap", code_of(constraints.gap, robot, numbers(gaps)));
-  add("jacobian", code_of(constraints.jacobian, robot, entries(constraints.rows, robot.joints.size())));
-  add("bias", code_of(constraints.bias, robot, numbers(constraints.rows)));
+  add("gap", code_of(constraints.gap, robot, numbers(gaps), in_cpp()));
+  add("jacobian",
+      code_of(constraints.jacobian, robot, entries(constraints.rows, robot.joints.size()), in_cpp()));
+  add("bias", code_of(constraints.bias, robot, numbers(constraints.rows), in_cpp()));
   values["gap_count"] = gaps;
   std::string doc = "In the order";
   for (const std::size_t i : assembly.used) doc += " " + std::to_string(i + 1);
   for (const std::size_t i : assembly.redundant) doc += " " + std::to_string(i + 1) + " (redundant)";
-  values["gap_doc"] = doc + " of the description's loops.";
+  values["gap_doc"] = doc + " of the description's loops." + text_of_gears(assembly);
 }
 
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
@@ -182,9 +222,6 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   const bool forward = variant.function == "assemble";
   json geometry = json::array();
   for (const auto& [name, field] : emit::geometry_fields(robot)) geometry.push_back({{"field", field}});
-  json given_values = json::array();
-  for (const std::size_t joint : assembly.given)
-    for (const json& value : values_of_joint(robot, joint, false)) given_values.push_back(value);
   return {{"function", variant.function},
           {"type", variant.type},
           {"space", variant.space},
@@ -199,8 +236,10 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
                                     : fmt::format("Eigen::Matrix<double, {}, 1>", variant.given.size())},
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
-          {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
-          {"given_values", given_values},
+          {"given_flags", commas(flags(robot.joints.size(), assembly.known()))},
+          {"has_gears", assembly.has_gears()},
+          {"gears", values_of_gears(assembly, in_cpp())},
+          {"given_values", values_of_known(assembly, in_cpp())},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
@@ -211,6 +250,31 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"target", emit::target_values(robot, plan, emit::cpp())},
           {"steps", emit::step_values(robot, plan, emit::cpp())},
           {"lines", emit::lines_of(emit::cpp().body({"t", "q", "found"}, emit::every_assembly(plan)))}};
+}
+
+void add_gaps_in_c(const AssemblyPlan& assembly, json& values) {
+  const derive::loops::Constraints constraints = derive::loops::constraints_of(assembly);
+  const ProgramCode code = code_of(constraints.gap, assembly.robot,
+                                   numbers(constraints.rows + constraints.redundant_rows), in_c());
+  values["gap_values"] = code.values;
+  values["gap_code"] = code.code;
+}
+
+json variant_in_c(const LoopVariant& variant, const AssemblyPlan& assembly, json values) {
+  const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
+  const std::string prefix = variant.function + "_";
+  const emit::c::Printer printer(prefix);
+  values["p"] = prefix;
+  values["gears"] = values_of_gears(assembly, in_c());
+  values["given_values"] = values_of_known(assembly, in_c());
+  if (values["closing"] != "t.tolerance")
+    values["closing"] = "larger(t->tolerance, 1e-11)";
+  else
+    values["closing"] = "t->tolerance";
+  values["target"] = emit::target_values(assembly.robot, plan, printer);
+  values["steps"] = emit::step_values(assembly.robot, plan, printer);
+  values["lines"] = emit::lines_of(printer.body({"t", "q", "found"}, emit::every_assembly(plan)));
+  return values;
 }
 
 }  // namespace qvgen::pipeline

@@ -17,6 +17,19 @@ std::string names_of(const model::Mechanism& mechanism, const std::vector<std::s
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Joints that given ones lead, a line each.
+std::vector<std::string> gear_lines(const model::Mechanism& mechanism,
+                                    const std::vector<derive::loops::Geared>& gears) {
+  std::vector<std::string> lines;
+  for (const derive::loops::Geared& each : gears) {
+    std::vector<std::size_t> leaders;
+    for (const auto& [joint, factor] : each.sum) leaders.push_back(joint);
+    lines.push_back(fmt::format("{}: gears; from {}, 1 value", mechanism.robot.joints[each.joint].variable,
+                                names_of(mechanism, leaders)));
+  }
+  return lines;
+}
+
 /// `only_found`: a plan that is not found is not mentioned.
 void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, bool steps, bool only_found,
               LoopLines& to) {
@@ -31,6 +44,7 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
   to.lines.push_back(
       fmt::format("{} from {}: {} assemblies at most", variant.function, from, assembly.plan.capacity));
   if (!steps) return;
+  for (const std::string& line : gear_lines(mechanism, assembly.geared)) to.lines.push_back("  " + line);
   for (const std::string& line : step_lines(mechanism.robot, assembly.plan)) to.lines.push_back("  " + line);
 }
 

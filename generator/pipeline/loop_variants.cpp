@@ -69,7 +69,8 @@ LimbInverse limb_inverse(const model::Mechanism& mechanism, std::size_t tip, con
   const auto found = with_given(plans, given_of, joints_of(mechanism, tip));
   if (found == plans.end()) return {};
   if (!found->assembly.found) return {"", "", fmt::format("{}", fmt::join(found->assembly.reasons, "; "))};
-  return {found->variant.function, found->variant.type, ""};
+  return {found->variant.function, found->variant.type, "", found->variant.space,
+          found->assembly.has_gears()};
 }
 
 }  // namespace qvgen::pipeline

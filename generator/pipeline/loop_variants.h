@@ -35,9 +35,11 @@ struct PlannedVariant {
 
 /// Says how the inverse kinematics of one tip goes on through the loops.
 struct LimbInverse {
-  std::string function;  ///< finds the assemblies for the limb's joints; empty if there is none
-  std::string type;      ///< of its set
-  std::string lack;      ///< why there is none; empty if none is asked for
+  std::string function;    ///< finds the assemblies for the limb's joints; empty if there is none
+  std::string type;        ///< of its set
+  std::string lack;        ///< why there is none; empty if none is asked for
+  std::string space = {};  ///< of the function's details
+  bool has_gears = false;  ///< joints follow others there
 };
 
 /// Finds the way on from an arm's solutions to the motors. `limb` is the output of the limb to that tip.

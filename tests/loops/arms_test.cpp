@@ -110,6 +110,9 @@ TEST_P(Arms, PutTheSeedsRowFirstByWholeTurns) {
     VectorXd seed = q;
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (reference_.chain.joints[static_cast<std::size_t>(i)].revolute) seed[i] += 2 * M_PI;
+    // A motor that a joint follows has turned as often as that has.
+    for (const reference::Gear& gear : reference_.gears)
+      seed[gear.leaders[0].first] = (seed[gear.joint] - gear.offset) / gear.leaders[0].second;
     const Set set = tip_.inverse_next_to(pose(q), seed);
     ASSERT_FALSE(set.rows.empty());
     EXPECT_LT((set.rows.front().q - seed).norm(), 1e-6);

@@ -157,6 +157,7 @@ TEST_P(Assemblies, TakeAnglesNextToTheSeedByWholeTurns) {
     VectorXd seed = set.rows.back().q;
     for (const int joint : mechanism_.passive_joints)
       if (reference_.chain.joints[static_cast<std::size_t>(joint)].revolute) seed[joint] += 4 * M_PI;
+    seed = reference::followed(reference_, seed);
     const Set near = mechanism_.assemble_near(a, seed);
     EXPECT_LT((near.rows.front().q - seed).norm(), 1e-9);
   }

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The header for C gives the bits of the C++ functions.
+// The header for C gives the bits of the C++ functions, and so do assemblies that are C99 alone.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <random>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/delta/assembly.h>
+#include <qvgen/robots/four_bar/assembly.h>
+#include <qvgen/robots/gripper/assembly.h>
+#include <qvgen_delta_assembly.h>
+#include <qvgen_four_bar_assembly.h>
+#include <qvgen_gripper_assembly.h>
 
 #include "calls.h"
 
@@ -60,6 +70,92 @@ TEST(LoopsInC, AreThoseOfCxx) {
     expect_rows(arm::loop_forces_of_tool(q, q), c.loop_held);
   }
   EXPECT_GT(solved, 20);
+}
+
+/// Numbers between bounds, among them NaN, infinity, and right angles, at which mechanisms are straight.
+class Inputs {
+ public:
+  template <int size>
+  Eigen::Matrix<double, size, 1> next(double reach) {
+    Eigen::Matrix<double, size, 1> values;
+    for (double& value : values) value = std::uniform_real_distribution<double>(-reach, reach)(random_);
+    const auto at = static_cast<Eigen::Index>(random_() % size);
+    if (random_() % 8 == 0) values[at] = std::round(values[at] / M_PI_2) * M_PI_2;
+    if (random_() % 50 == 0) values[at] = std::numeric_limits<double>::quiet_NaN();
+    if (random_() % 50 == 0) values[at] = std::numeric_limits<double>::infinity();
+    return values;
+  }
+
+ private:
+  std::mt19937 random_{9};
+};
+
+/// Compares the rows of C with those of C++. Returns how many there are.
+template <class Found, class Call>
+int expect_same(const Found& found, const Call& call) {
+  constexpr int dof = std::decay_t<decltype(found[0].q)>::RowsAtCompileTime;
+  double q[Found::max_size][dof];
+  int branches[Found::max_size], meets[Found::max_size], status = -1;
+  const int count = call(Found::max_size, q, branches, meets, &status);
+  EXPECT_EQ(count, found.size());
+  EXPECT_EQ(status, static_cast<int>(found.status));
+  for (int i = 0; i < std::min(count, found.size()); ++i) {
+    expect_rows(found[i].q, q[i]);
+    EXPECT_EQ(branches[i], found[i].branch);
+    EXPECT_EQ(meets[i], found.meets(found[i]) ? 1 : 0);
+  }
+  return count;
+}
+
+TEST(AssembliesInC99, HaveTheBitsOfCxx) {
+  namespace gripper = qvgen::robots::gripper;
+  Inputs inputs;
+  int rows = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const auto a = inputs.next<1>(7);
+    const auto seed = inputs.next<gripper::dof>(20);
+    rows += expect_same(gripper::assemble(a),
+                        [&](auto... to) { return gripper_assemble(a.data(), nullptr, nullptr, to...); });
+    rows += expect_same(gripper::assemble(a, seed),
+                        [&](auto... to) { return gripper_assemble(a.data(), seed.data(), nullptr, to...); });
+    const auto d = inputs.next<3>(2);
+    const auto x = inputs.next<3>(0.5);
+    const auto near = inputs.next<arm::dof>(4);
+    rows += expect_same(arm::assemble(d),
+                        [&](auto... to) { return delta_assemble(d.data(), nullptr, nullptr, to...); });
+    rows += expect_same(arm::assemble_from_outputs(x, near), [&](auto... to) {
+      return delta_assemble_from_outputs(x.data(), near.data(), nullptr, to...);
+    });
+  }
+  EXPECT_GT(rows, 10000);
+}
+
+/// Lengths of the caller's, those of a parallelogram, and one that is no number.
+TEST(AssembliesInC99, TakeLengths) {
+  namespace bar = qvgen::robots::four_bar;
+  Inputs inputs;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> length(0.05, 1);
+  int rows = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const auto a = inputs.next<1>(7);
+    const bool lacks_one = n % 50 == 0;
+    Eigen::Vector4d lengths = Eigen::Vector4d::NullaryExpr([&] { return length(random); });
+    if (n % 5 == 0) lengths << 0.3, 0.7, 0.3, 0.7;
+    if (lacks_one) lengths[n / 50 % 4] = std::numeric_limits<double>::quiet_NaN();
+    bar::Geometry g;
+    std::memcpy(static_cast<void*>(&g), lengths.data(), sizeof g);
+    const auto found = bar::assemble(a, g);
+    rows += expect_same(
+        found, [&](auto... to) { return four_bar_assemble(a.data(), nullptr, lengths.data(), to...); });
+    EXPECT_TRUE(!lacks_one || found.empty());
+    if (found.empty()) continue;
+    double gaps[bar::gap_count];
+    four_bar_loop_gaps(found[0].q.data(), lengths.data(), gaps);
+    expect_rows(bar::loop_gaps(found[0].q, g), gaps);
+  }
+  EXPECT_GT(rows, 1000);
+  EXPECT_EQ(four_bar_assemble_capacity, bar::Assembled::max_size);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // there is no closed form.
 #include <cmath>
 #include <map>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "derive/inverse/lower.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
+#include "description/write.h"
 #include "verify/certificate.h"
 #include "verify/loops/certify_loops.h"
 #include "verify/loops/mobility.h"
@@ -202,6 +204,98 @@ TEST(LoopCertificate, HoldsForSlidesAndWelds) {
     expect_certificate(mechanism, mechanism.loops.actuated);
     EXPECT_EQ(derive::loops::assembly_plan(mechanism, {0}).plan.capacity, expected.second);
   }
+}
+
+/// A five-bar whose cranks have gears: one turns against half of the other.
+TEST(LoopCertificate, HoldsForJointsThatFollowOthers) {
+  const auto mechanism = mechanism_of(
+      crank_and_pin +
+      joint("c",
+            "parent = \"base\"\norigin = [0.7, 0, 0]\nlink = [0.2, 0, 0]\nfollows = \"a\"\nratio = \"-1/2\"\n"
+            "offset = 0.4\n") +
+      joint("d", "") + tip + pin("b", "[0.6, 0, 0]", "d", "[0.5, 0, 0]"));
+  ASSERT_EQ(mechanism.loops.gears.size(), 1U);
+  EXPECT_TRUE(mechanism.robot.joints[2].follows.empty());
+  EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+  expect_certificate(mechanism, mechanism.loops.actuated);
+  expect_certificate(mechanism, {2});  // the one that follows leads as well
+  EXPECT_THAT(
+      reasons_of(
+          {mechanism.robot, mechanism.tips, {mechanism.loops.closures, mechanism.loops.gears, {1}, {}}}),
+      HasSubstr("joints that follow each other have no closed form here: a, c are open"));
+}
+
+/// Ways in which a value cannot be told, each with the joint to drive.
+TEST(AssemblyPlan, SaysWhyJointsThatFollowOthersAreOpen) {
+  const std::string four_bar = crank_and_pin + joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") + tip +
+                               pin("b", "[0.6, 0, 0]", "c", "[0.5, 0, 0]");
+  const auto reason_of = [&](const std::string& follower) {
+    const auto mechanism = mechanism_of(four_bar + follower);
+    EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+    const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+    return plan.found ? "" : plan.reasons.front();
+  };
+  const std::string on_base = "parent = \"base\"\n";
+  EXPECT_EQ(reason_of(joint("w", on_base + "follows = \"-3 c + 2 a + 20 deg\"\n")), "");
+  EXPECT_THAT(reason_of(joint("w", on_base + "follows = \"1/2 c\"\n")),
+              HasSubstr("the value of w depends on whole turns, or the length, of c"));
+  EXPECT_THAT(reason_of(joint("w", on_base + "follows = \"c\"\nratio = 0.1\n", "prismatic")),
+              HasSubstr("which loops do not tell; drive what leads"));
+  EXPECT_EQ(reason_of(joint("w", on_base + "follows = \"a\"\nratio = \"1/7\"\noffset = 1\n", "prismatic")),
+            "");
+}
+
+/// Lengths by which slides are ahead may be symbols; angles are numbers, as those of frames.
+TEST(LoopCertificate, HoldsForSlidesThatAreAheadByASymbol) {
+  const auto text = [](const std::string& follower) {
+    return head("\"a\"") + "[defaults]\nh = 0.1\n" + joint("a", "link = [0.3, 0, 0]\n") + joint("b", "") +
+           joint("c", "parent = \"base\"\norigin = [0.7, 0, 0]\n") + tip +
+           pin("b", "[0.6, 0, 0]", "c", "[0.5, 0, 0]") + follower;
+  };
+  const auto slides =
+      mechanism_of(text(joint("s", "parent = \"base\"\nfollows = \"a\"\noffset = \"h\"\n", "prismatic")));
+  expect_certificate(slides, slides.loops.actuated);
+  const auto turns = mechanism_of(text(joint("w", "parent = \"base\"\nfollows = \"a\"\noffset = \"h\"\n")));
+  EXPECT_THROW(derive::loops::assembly_plan(turns, turns.loops.actuated), std::domain_error);
+}
+
+/// Five-bars of random lengths: one crank follows the driven one by any factor, a wheel the joints that the
+/// loop holds by whole ones, and leads a rod on.
+TEST(LoopCertificate, HoldsForRandomGears) {
+  std::mt19937 random(5);
+  const auto among = [&](int low, int high) {
+    return std::to_string(low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)));
+  };
+  const auto length = [&] { return "0." + among(20, 60); };
+  for (int k = 0; k < 12; ++k) {
+    const std::string text =
+        head("\"a\"") + joint("a", "link = [" + length() + ", 0, 0]\n") + joint("b", "") +
+        joint("c", "parent = \"base\"\norigin = [0.3, 0, 0]\nlink = [" + length() + ", 0, 0]\nfollows = \"-" +
+                       among(1, 9) + "/" + among(1, 9) + " a + " + among(-90, 90) + " deg\"\n") +
+        joint("d", "") +
+        joint("w", "parent = \"base\"\norigin = [2, 0, 0]\nlink = [0.3, 0, 0]\nfollows = \"" + among(1, 4) +
+                       " b - " + among(1, 4) + " d + 0." + among(0, 9) + "\"\n") +
+        joint("r", "parent = \"base\"\norigin = [2, 1, 0]\n") + tip +
+        pin("b", "[" + length() + ", 0, 0]", "d", "[" + length() + ", 0, 0]") +
+        rod("w", "[0, 0, 0]", "r", "[0.5, 0, 0]", "0.9");
+    SCOPED_TRACE(text);
+    const auto mechanism = mechanism_of(text);
+    EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+    expect_certificate(mechanism, mechanism.loops.actuated);
+  }
+}
+
+/// Motors that are no joints beside loops, and offsets, are written as they were read.
+TEST(LoopCertificate, HoldsForMotorsOfADifferential) {
+  const auto mechanism = mechanism_of_file("geared_five_bar");
+  ASSERT_EQ(mechanism.robot.joints.size(), 6U);
+  EXPECT_EQ(verify::mobility_of(mechanism).free, 2);
+  expect_certificate(mechanism, mechanism.loops.actuated);
+  const std::string text = description::write_text(mechanism);
+  const auto again = mechanism_of(text);
+  EXPECT_EQ(description::write_text(again), text);
+  EXPECT_EQ(again.loops.gears.size(), 2U);
+  EXPECT_EQ(verify::mobility_of(again).free, 2);
 }
 
 /// The equations of a slide, against the pin's place and angle in the plane.

@@ -71,17 +71,31 @@ std::string number_list(const std::vector<std::size_t>& cycles) {
   return text;
 }
 
+/// Names of joints as the description has them, in a text of the derivation.
+std::string with_described_names(std::string text, const model::Robot& robot,
+                                 const std::vector<std::string>& described) {
+  // From the last one on: joint12 before joint1.
+  for (std::size_t i = described.size(); i-- > 0;) {
+    const std::string& name = robot.joints[i].variable;
+    if (name == described[i]) continue;
+    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + described[i].size()))
+      text.replace(at, name.size(), described[i]);
+  }
+  return text;
+}
+
 /// Solves closures as long as one of them serves.
 class Search {
  public:
   Search(AssemblyPlan& assembly, const std::vector<std::string>& described, inverse::Scope& scope,
          inverse::Builder& builder)
       : assembly_(assembly), described_(described), solver_(assembly.robot, scope, builder), scope_(scope) {
-    for (const std::size_t joint : assembly.given) solver_.know(joint);
+    for (const std::size_t joint : assembly.known()) solver_.know(joint);
   }
 
   void run() {
     for (std::size_t i = 0; i < assembly_.cycles.size(); ++i) open_.push_back(i);
+    for (const Geared& geared : assembly_.geared) close({geared.cycle}, assembly_.used);
     while (step()) {
     }
     for (const std::size_t i : open_) add_reason(why_open(i), i);
@@ -125,26 +139,40 @@ class Search {
   bool step() {
     for (const std::size_t i : open_) {
       if (unknowns(i) == 0) {
+        if (is_gear(i)) return refuse(names_in(cycle(i).joints()) + " have values, and gears tie them");
         close({i}, assembly_.redundant);
         return true;
       }
     }
     for (const std::size_t i : open_) {
       if (!serves(i)) continue;
-      const std::string problem = solve(cycle(i));
-      if (!problem.empty()) {
-        assembly_.reasons.push_back(problem);
-        return false;
-      }
+      const std::string problem = is_gear(i) ? lead(i) : solve(cycle(i));
+      if (!problem.empty()) return refuse(problem);
       close({i}, assembly_.used);
       return true;
     }
     return coupled() || platform() || swinging_legs();
   }
 
+  /// Notes why there is no closed form, with the description's names.
+  bool refuse(const std::string& reason) {
+    assembly_.reasons.push_back(with_described_names(reason, assembly_.robot, described_));
+    return false;
+  }
+
+  [[nodiscard]] bool is_gear(std::size_t i) const { return cycle(i).type == model::LoopType::gear; }
+
+  /// Finds the one open joint of a gear; returns why that is not possible.
+  std::string lead(std::size_t i) {
+    const Geared geared = solved_for(assembly_.cycles, i, solver_.unknown(cycle(i)).front());
+    const std::string problem = solver_.gear(cycle(i), geared);
+    if (problem.empty()) assembly_.led.push_back(geared);
+    return problem;
+  }
+
   /// An open closure as a distance, if it is one.
   [[nodiscard]] std::optional<Solver::Span> span_of(std::size_t i) const {
-    if (!solver_.knows_length(cycle(i))) return std::nullopt;
+    if (is_gear(i) || !solver_.knows_length(cycle(i))) return std::nullopt;
     if (cycle(i).type == model::LoopType::rod) return Solver::Span{&cycle(i), {}};
     const bool is_point = cycle(i).directions.empty();
     if (!is_point || !cycle(i).normal || !gap_along_normal(i).empty()) return std::nullopt;
@@ -185,10 +213,7 @@ class Search {
       if (spans.size() < joints.size()) continue;
       const std::string problem = is_pair ? solver_.two_turns({spans[0], spans[1]})
                                           : solver_.planar_platform({spans[0], spans[1], spans[2]});
-      if (!problem.empty()) {
-        assembly_.reasons.push_back(problem);
-        return false;
-      }
+      if (!problem.empty()) return refuse(problem);
       close(group, assembly_.used);
       return true;
     }
@@ -197,7 +222,8 @@ class Search {
 
   [[nodiscard]] bool serves(std::size_t i) const {
     if (unknowns(i) != rows_of(cycle(i))) return false;
-    return cycle(i).type == model::LoopType::rod || (cycle(i).normal && gap_along_normal(i).empty());
+    return is_gear(i) || cycle(i).type == model::LoopType::rod ||
+           (cycle(i).normal && gap_along_normal(i).empty());
   }
 
   [[nodiscard]] std::string solve(const Cycle& cycle) {
@@ -210,6 +236,7 @@ class Search {
         return solver_.slide(cycle);
       case model::LoopType::pin:
       case model::LoopType::ball:
+      case model::LoopType::gear:
         break;
     }
     return solver_.meeting(cycle);
@@ -251,10 +278,7 @@ class Search {
     }
     if (swings.size() < 3) return false;
     const std::string problem = solver_.three_planes({swings[0], swings[1], swings[2]});
-    if (!problem.empty()) {
-      assembly_.reasons.push_back(problem);
-      return false;
-    }
+    if (!problem.empty()) return refuse(problem);
     close(group, assembly_.used);
     return true;
   }
@@ -275,16 +299,19 @@ class Search {
            " never closes: its ends move in parallel planes that do not meet; correct `at` or an origin";
   }
 
-  [[nodiscard]] std::string unknown_names(std::size_t i) const {
+  [[nodiscard]] std::string names_in(const std::vector<std::size_t>& joints) const {
     std::string text;
-    for (const std::size_t joint : solver_.unknown(cycle(i)))
-      text += (text.empty() ? "" : ", ") + described_[joint];
+    for (const std::size_t joint : joints) text += (text.empty() ? "" : ", ") + described_[joint];
     return text;
   }
+  [[nodiscard]] std::string unknown_names(std::size_t i) const { return names_in(solver_.unknown(cycle(i))); }
 
   [[nodiscard]] std::string why_open(std::size_t i) const {
     const std::string head = "loop " + std::to_string(cycle(i).number) + " has no closed form: ";
     const std::size_t count = unknowns(i);
+    if (is_gear(i))
+      return "joints that follow each other have no closed form here: " + unknown_names(i) +
+             " are open; drive the one that leads";
     if (cycle(i).type == model::LoopType::rod)
       return head + "its rod places one joint, and " + unknown_names(i) +
              " are open; drive all but one of them";
@@ -308,19 +335,6 @@ class Search {
   std::vector<std::size_t> open_;
 };
 
-/// Names of joints as the description has them, in a text of the derivation.
-std::string with_described_names(std::string text, const model::Robot& robot,
-                                 const std::vector<std::string>& described) {
-  // From the last one on: joint12 before joint1.
-  for (std::size_t i = described.size(); i-- > 0;) {
-    const std::string& name = robot.joints[i].variable;
-    if (name == described[i]) continue;
-    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + described[i].size()))
-      text.replace(at, name.size(), described[i]);
-  }
-  return text;
-}
-
 /// Places in a row, the number of branches, and what steps leave for later ones.
 void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described) {
   Plan& plan = assembly.plan;
@@ -338,6 +352,12 @@ void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described)
 
 }  // namespace
 
+std::vector<std::size_t> AssemblyPlan::known() const {
+  std::vector<std::size_t> joints = given;
+  for (const Geared& each : geared) joints.push_back(each.joint);
+  return joints;
+}
+
 AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
   AssemblyPlan assembly;
   assembly.robot = with_named_angles(model::with_private_names(mechanism.robot));
@@ -347,8 +367,9 @@ AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<
   for (const model::Joint& joint : mechanism.robot.joints) described.push_back(joint.variable);
   inverse::Scope scope = scope_of(assembly.robot, mechanism.loops);
   assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
+  assembly.geared = geared_by(assembly.cycles, given);
   inverse::Builder builder(assembly.robot, scope, assembly.plan);
-  for (const std::size_t joint : given) give(assembly.plan, scope, assembly.robot, joint);
+  for (const std::size_t joint : assembly.known()) give(assembly.plan, scope, assembly.robot, joint);
   scope.rename(assembly.plan.target, names::size_square, size_square(assembly));
   Search(assembly, described, scope, builder).run();
   if (assembly.found) conclude(assembly, described);

@@ -10,6 +10,7 @@
 
 #include "derive/inverse/plan.h"
 #include "derive/loops/cycle.h"
+#include "derive/loops/gears.h"
 #include "model/mechanism.h"
 
 namespace qvgen::derive::loops {
@@ -19,12 +20,18 @@ struct AssemblyPlan {
   bool found = false;
   model::Robot robot;                ///< with private names, as the plan has them
   std::vector<std::size_t> given;    ///< joints with values of the caller's, in his order
-  std::vector<std::size_t> passive;  ///< the others, sorted
+  std::vector<Geared> geared;        ///< joints that those lead by gears, one after the other
+  std::vector<Geared> led;           ///< joints that gears lead behind steps, in their order
+  std::vector<std::size_t> passive;  ///< all but the given ones, sorted
   inverse::Plan plan;
   std::vector<Cycle> cycles;           ///< all, in the order of the file
   std::vector<std::size_t> used;       ///< indices of the cycles that steps have solved, in their order
   std::vector<std::size_t> redundant;  ///< indices of those that hold nothing more
   std::vector<std::string> reasons;
+
+  /// Joints whose values are known before the first step.
+  [[nodiscard]] std::vector<std::size_t> known() const;
+  [[nodiscard]] bool has_gears() const { return !geared.empty() || !led.empty(); }
 };
 
 /// Derives the assemblies for given joints: those that are driven, or those that say where a platform is.

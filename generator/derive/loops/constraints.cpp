@@ -18,6 +18,12 @@ class Equations {
   explicit Equations(const model::Robot& robot) : robot_(robot) {}
 
   [[nodiscard]] std::vector<ex> gaps(const Cycle& cycle) const {
+    if (cycle.type == model::LoopType::gear) {
+      ex sum = -cycle.offset;
+      for (const auto& [joint, factor] : cycle.gear)
+        sum += GiNaC::numeric(factor) * symbol(robot_.joints[joint].variable);
+      return {sum};
+    }
     const Carrier carrier{robot_, [this](std::size_t joint) { return value(joint); }};
     const Vector way = carrier.end(cycle.sides[0], -1) - carrier.end(cycle.sides[1], -1);
     if (cycle.type == model::LoopType::rod)
@@ -33,7 +39,7 @@ class Equations {
     const std::string& variable = robot_.joints[joint].variable;
     if (robot_.joints[joint].type == model::JointType::prismatic) return gap.diff(symbol(variable));
     const GiNaC::symbol c = symbol(names::cosine(variable)), s = symbol(names::sine(variable));
-    return c * gap.diff(s) - s * gap.diff(c);
+    return c * gap.diff(s) - s * gap.diff(c) + gap.diff(symbol(variable));
   }
 
   [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }

@@ -152,12 +152,28 @@ void add_directions(const model::Loop& loop, const model::Robot& robot, const in
   add(slides ? axis : in_both_links(robot, cycle, across(*cycle.normal)[0])[0]);
 }
 
+Cycle cycle_of(const model::Robot& described, const model::Gear& gear, const PrivateNames& names) {
+  Cycle cycle;
+  cycle.type = model::LoopType::gear;
+  cycle.gear = {{gear.joint, 1}};
+  for (const auto& [leader, ratio] : gear.leaders) cycle.gear.emplace_back(leader, -ratio);
+  cycle.offset = names.of(with_named_number(gear.offset));
+  const model::Joint& joint = described.joints[gear.joint];
+  if (joint.type == model::JointType::prismatic) return cycle;
+  if (!model::symbols(gear.offset).empty())
+    throw std::domain_error("the angle by which joint " + joint.variable +
+                            " is ahead of what it follows is a symbol; write a number");
+  cycle.turn = symbolic::to_symbolic(model::Displacement{{turn_by_offset(gear)}, {}}).q;
+  return cycle;
+}
+
 }  // namespace
 
 std::size_t rows_of(const Cycle& cycle) {
   const bool flat = cycle.normal.has_value();
   switch (cycle.type) {
     case model::LoopType::rod:
+    case model::LoopType::gear:
       return 1;
     case model::LoopType::weld:
       return flat ? 3 : 6;
@@ -185,6 +201,7 @@ std::vector<std::size_t> Cycle::joints() const {
   std::vector<std::size_t> all = sides[0].joints;
   all.insert(all.end(), sides[1].joints.begin(), sides[1].joints.end());
   if (length_joint) all.push_back(*length_joint);
+  for (const auto& [joint, factor] : gear) all.push_back(joint);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -198,6 +215,10 @@ std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Rob
     cycles.back().normal = normal_of(robot, cycles.back(), scope);
     check_axis(mechanism.loops.closures[i], robot, cycles.back(), scope);
     add_directions(mechanism.loops.closures[i], robot, scope, cycles.back());
+  }
+  for (const model::Gear& gear : mechanism.loops.gears) {
+    cycles.push_back(cycle_of(mechanism.robot, gear, names));
+    cycles.back().number = cycles.size();
   }
   return cycles;
 }

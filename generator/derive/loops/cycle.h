@@ -34,6 +34,9 @@ struct Cycle {
   /// Unit vectors that both links of a weld or a slide have, in the frame of each; that of a slide comes
   /// first. One across the normal, or three at right angles to each other.
   std::vector<std::array<symbolic::Vector, 2>> directions = {};
+  /// Joints that gears tie: their values, each times its factor, sum up to the offset.
+  std::vector<std::pair<std::size_t, cln::cl_RA>> gear = {};
+  GiNaC::ex offset = 0;  ///< rad or m; the `turn` of an angle is about z by it
 
   /// Joints of both sides and that of the length, sorted.
   [[nodiscard]] std::vector<std::size_t> joints() const;
@@ -46,9 +49,9 @@ std::size_t rows_of(const Cycle& cycle);
 /// where the vector is one.
 std::array<symbolic::Vector, 2> across(const symbolic::Vector& normal);
 
-/// Returns the cycles of a mechanism, in the order of its closures. `robot` is its robot with private
-/// names and named angles.
-/// Throws std::domain_error if a closure does not let its loop's joints move in their plane.
+/// Returns the cycles of a mechanism, in the order of its closures, then its gears. `robot` is its robot with
+/// private names and named angles. Throws std::domain_error if a closure does not let its loop's joints move
+/// in their plane, and if an angle of gears is a symbol.
 std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Robot& robot,
                              const inverse::Scope& scope);
 

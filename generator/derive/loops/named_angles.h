@@ -15,6 +15,11 @@ std::vector<model::Turn> with_named_angles(std::vector<model::Turn> turns);
 /// Likewise the frames of all joints.
 model::Robot with_named_angles(model::Robot robot);
 
+/// Returns a number that is not rational as such a symbol, and anything else as it is.
+model::Expression with_named_number(const model::Expression& value);
+/// Returns a turn about z by the offset of gears, with such symbols.
+model::Turn turn_by_offset(const model::Gear& gear);
+
 /// Returns the scope of a robot with such symbols, in which those of its loops are known too.
 inverse::Scope scope_of(model::Robot robot, const model::Loops& loops);
 

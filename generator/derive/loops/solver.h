@@ -12,6 +12,7 @@
 
 #include "derive/inverse/builder.h"
 #include "derive/loops/cycle.h"
+#include "derive/loops/gears.h"
 
 namespace qvgen::derive::loops {
 
@@ -36,6 +37,9 @@ class Solver {
   std::string meeting(const Cycle& cycle);
   /// Three distances to points of one link that three slides at right angles carry.
   std::string three_spheres(const std::vector<const Cycle*>& cycles);
+
+  /// Values that sum up, for the one unknown joint.
+  std::string gear(const Cycle& cycle, const Geared& gear);
 
   /// Two links of a plane that are one, for three unknown joints.
   std::string weld(const Cycle& cycle);
@@ -80,11 +84,18 @@ class Solver {
   [[nodiscard]] Carrier carrier();
   symbolic::Vector kept(const symbolic::Vector& v);
   GiNaC::ex kept(const GiNaC::ex& value);
+  inverse::Flat kept(const inverse::Flat& v) { return {kept(v.x), kept(v.y)}; }
   /// The other side's end in the frame in front of a joint.
   symbolic::Vector goal(const Place& at);
   /// How that moves with a slide, which is on either side or in front of the joint.
   symbolic::Vector goal_by(const Place& at, const Place& slide);
   void pair(const Place& at, const std::string& equation);
+
+  /// A direction turned as many times as far.
+  inverse::Flat power(inverse::Flat base, int exponent);
+  std::string turn_by_gear(const Cycle& cycle, const Geared& gear);
+  std::string slide_by_gear(const Cycle& cycle, const Geared& gear);
+  [[nodiscard]] std::string no_whole_turns(const std::string& variable, const Geared& gear) const;
 
   /// Finds a turn by the direction that both links of a weld or a slide have.
   void turn_by_direction(const Cycle& cycle, const Place& at);

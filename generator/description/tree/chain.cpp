@@ -22,6 +22,7 @@ void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, con
   } else {
     TreeReader reader(context, nodes, read, ends.tip);
     reader.read(path, robot);
+    reader.tie(robot);
     robot.tool = reader.place_of(ends.tip).placement;
   }
 }

@@ -109,9 +109,7 @@ void close_loops(Context& context, const std::vector<Node>& nodes, TreeReader& r
   if (mechanism.loops.empty()) return;
   mechanism.loops.actuated = closing.joints_of(loops.actuated, loops.may_lack);
   mechanism.loops.outputs = closing.joints_of(loops.outputs, false);
-  for (const Follower& follower : context.followers)
-    context.error(follower.place, "a joint that follows another beside loops",
-                  "give it a value of its own, or leave the loops out: --tip reads a chain");
+  mechanism.loops.gears = reader.gears(mechanism.robot);
 }
 
 }  // namespace qvgen::description::tree

@@ -114,6 +114,7 @@ model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_
     result.tips.push_back(std::move(frame));
   }
   close_loops(context, nodes, reader, loops, closures, result);
+  if (result.loops.empty()) reader.tie(result.robot);
   result.robot.title = tips.size() == 1 ? nodes[base].name + " to " + nodes[tips.front()].name
                                         : std::to_string(tips.size()) + " limbs from " + nodes[base].name;
   return result;

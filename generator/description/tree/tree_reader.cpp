@@ -32,9 +32,17 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
   std::sort(read_nodes_.begin(), read_nodes_.end());
   if (!order.empty()) standing_[(*nodes_)[order.front()].parent] = {};
   for (const std::size_t node : order) read_node(node, robot);
-  take_motors(robot);
-  tie_followers(*context_, names_, robot);
   if (!robot.joints.empty()) check_ends(robot);
+}
+
+void TreeReader::tie(model::Robot& robot) {
+  take_motors(robot, model::branches(robot));
+  tie_followers(*context_, names_, robot);
+}
+
+std::vector<model::Gear> TreeReader::gears(model::Robot& robot) {
+  take_motors(robot, true);
+  return gears_of(*context_, names_, robot);
 }
 
 model::Inertia TreeReader::read_base(std::size_t base, const Body& own,
@@ -112,9 +120,9 @@ void TreeReader::add_motor(const TendonMotor& motor, model::Robot& robot) {
   context_->motor_places.push_back(motor.place);
 }
 
-/// Adds the motors that joints follow. Where not all of a motor's joints are read, or joints branch, so that
-/// limbs may lack some, its followers are free, with a warning.
-void TreeReader::take_motors(model::Robot& robot) {
+/// Adds the motors that joints follow. Where not all of a motor's joints are read, or limbs may lack some,
+/// its followers are free, with a warning.
+void TreeReader::take_motors(model::Robot& robot, bool limbs_may_lack_some) {
   const auto is_read = [&](const std::string& joint) { return joint_called(joint).has_value(); };
   const auto is_whole = [&](const TendonMotor& motor) {
     return std::all_of(motor.joints.begin(), motor.joints.end(), is_read);
@@ -124,11 +132,11 @@ void TreeReader::take_motors(model::Robot& robot) {
     const auto motors = motors_.find(follower.joint);
     const bool has_motors = motors != motors_.end();
     if (has_motors &&
-        (model::branches(robot) || !std::all_of(motors->second.begin(), motors->second.end(), is_whole))) {
+        (limbs_may_lack_some || !std::all_of(motors->second.begin(), motors->second.end(), is_whole))) {
       context_->warning(
           follower.place,
           "the motors of '" + names_[follower.joint] +
-              "' act by tendons on joints that are not all in one chain: it has a value of its own",
+              "' act by tendons on joints that are not all in one open chain: it has a value of its own",
           "take a chain with all of them, if there is one, to have the motors' values");
       continue;
     }

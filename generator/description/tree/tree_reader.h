@@ -21,6 +21,9 @@ class TreeReader {
   /// Fills in the joints that hold these nodes, each of which stands behind its parent. Their first parent is
   /// the base.
   void read(const std::vector<std::size_t>& order, model::Robot& robot);
+  /// Ties followers to their leaders, or returns their relations, for loops.
+  void tie(model::Robot& robot);
+  std::vector<model::Gear> gears(model::Robot& robot);
 
   /// Returns the inertia of the base with all that is fixed to it, in its own frame. `order`: as `read` has
   /// it.
@@ -44,7 +47,7 @@ class TreeReader {
   void add_joint(const Segment& segment, const Standing& before, model::Robot& robot);
   model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const;
   void note_mimic(const MovingJoint& joint, std::size_t index);
-  void take_motors(model::Robot& robot);
+  void take_motors(model::Robot& robot, bool limbs_may_lack_some);
   void add_motor(const TendonMotor& motor, model::Robot& robot);
   void check_ends(model::Robot& robot) const;
   void leave_out_partial_inertia(model::Robot& robot) const;

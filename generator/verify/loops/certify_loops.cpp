@@ -17,6 +17,7 @@ namespace {
 
 namespace names = derive::inverse::names;
 using derive::loops::AssemblyPlan;
+using derive::loops::Geared;
 
 Values geometry_of(const AssemblyPlan& assembly) {
   Values values;
@@ -28,6 +29,13 @@ void put(const model::Joint& joint, const Real& q, Values& values) {
   values[joint.variable] = q;
   values[names::cosine(joint.variable)] = cos(q);
   values[names::sine(joint.variable)] = sin(q);
+}
+
+/// Puts the value of a joint that gears lead.
+void put_geared(const AssemblyPlan& assembly, const Geared& geared, Values& values) {
+  const dag::Function value =
+      derive::inverse::lowered(derive::loops::program_of(geared, assembly.robot, assembly.cycles), {"value"});
+  put(assembly.robot.joints[geared.joint], outputs(value, values).at("value"), values);
 }
 
 dag::Function gaps_of(const AssemblyPlan& assembly) {
@@ -79,10 +87,14 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
     Values values = geometry_of(assembly);
     for (const std::size_t joint : assembly.given)
       put(assembly.robot.joints[joint], Real((*q)[static_cast<Eigen::Index>(joint)]), values);
+    const Values given = values;
+    for (const Geared& geared : assembly.geared) put_geared(assembly, geared, values);
     bool sampled = false;
     for (const Row& row : execute(plan, values)) {
-      Values at = values;
-      for (std::size_t i = 0; i < row.q.size(); ++i) put(assembly.robot.joints[i], row.q[i], at);
+      Values at = given;
+      for (const std::size_t i : assembly.passive) put(assembly.robot.joints[i], row.q[i], at);
+      for (const Geared& geared : assembly.geared) put_geared(assembly, geared, at);
+      for (const Geared& geared : assembly.led) put_geared(assembly, geared, at);
       if (widest(gaps, at, 0, rows) > fifty_digits)
         throw CertificateError("closed loops: an assembly does not close them");
       if (widest(gaps, at, rows, gaps.outputs.size()) > sample_accuracy) continue;  // of redundant loops

@@ -104,7 +104,9 @@ std::vector<std::size_t> in_both(const std::vector<std::size_t>& a, const std::v
 }
 
 /// How many equations of a closure, the last ones, are angles.
-std::size_t angles_of(const derive::loops::Cycle& cycle) { return cycle.directions.size(); }
+std::size_t angles_of(const derive::loops::Cycle& cycle) {
+  return cycle.directions.size() + (cycle.gear.empty() ? 0 : 1);
+}
 
 std::string count_of(int count, const std::string& of) {
   return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
@@ -218,7 +220,7 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
   Mobility result;
   const LoopNumbers numbers(mechanism);
   result.joints = static_cast<int>(mechanism.robot.joints.size());
-  result.gruebler = result.joints;
+  result.gruebler = result.joints - static_cast<int>(mechanism.loops.gears.size());
   for (const model::Loop& loop : mechanism.loops.closures) result.gruebler -= equations_in_space(loop.type);
   result.in_planes = result.joints - static_cast<int>(numbers.loop_of_row().size());
   for (unsigned sample = 0; sample < samples; ++sample) {
@@ -256,6 +258,15 @@ std::string reason_of(const Mobility& mobility) {
   return reasons.size() == 2 ? reasons[0] + ", and " + reasons[1] : reasons.front();
 }
 
+/// Gears are counted behind all loops.
+std::string redundant_text(std::size_t loop, const model::Mechanism& mechanism) {
+  const model::Loops& loops = mechanism.loops;
+  if (loop < loops.closures.size())
+    return "loop " + std::to_string(loop + 1) + " is redundant: the loops before it hold all that it holds";
+  const std::size_t joint = loops.gears[loop - loops.closures.size()].joint;
+  return "that " + mechanism.robot.joints[joint].variable + " follows is redundant: loops hold it so anyway";
+}
+
 }  // namespace
 
 std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanism& mechanism) {
@@ -270,9 +281,7 @@ std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanis
     count += "; Gruebler's formula counts " + std::to_string(mobility.gruebler) + ", since it does not see " +
              reason_of(mobility);
   lines.push_back(count);
-  for (const std::size_t loop : mobility.redundant)
-    lines.push_back("loop " + std::to_string(loop + 1) +
-                    " is redundant: the loops before it hold all that it holds");
+  for (const std::size_t loop : mobility.redundant) lines.push_back(redundant_text(loop, mechanism));
   for (const std::size_t joint : mobility.still)
     lines.push_back("joint " + mechanism.robot.joints[joint].variable + " never moves");
   return lines;

@@ -49,10 +49,13 @@ void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int
   append(static_cast<Solutions<dof, capacity>&>(found), q, branch, is_free);
 }
 
+/// How far outside of an equation's range, as a share of it, a step of closed loops is still taken.
+inline constexpr double end_of_loops = 1e-14;
+
 /// Boundary of steps of closed loops: taken at their word, and no farther outside than rounding.
 constexpr Boundary boundary_of_loops() {
   Boundary boundary = Boundary::plain(0);
-  boundary.accept = 1e-14;
+  boundary.accept = end_of_loops;
   boundary.near = 1;
   return boundary;
 }

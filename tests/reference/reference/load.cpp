@@ -148,6 +148,7 @@ void tie_followers(const std::vector<Reader>& tables, Chain& chain) {
       joint.leaders = {{table.text("follows"), table.has("ratio") ? table.entry("ratio") : 1.0}};
     else
       offset = read_relation(table.text("follows"), joint);
+    joint.offset = offset;
     joint.before = joint.before * (joint.revolute ? turn(offset, joint.axis) : shift(offset * joint.axis));
   }
 }

@@ -50,6 +50,33 @@ Closure closure_of(const toml::table& table, const Chain& chain, const Values& v
   return closure;
 }
 
+/// Motors become joints that move nothing, and joints that follow others get values of their own.
+void take_gears(LoopMechanism& mechanism) {
+  Chain& chain = mechanism.chain;
+  for (const Motor& motor : chain.motors) {
+    Joint joint;
+    joint.variable = motor.variable;
+    joint.rotor_inertia = motor.rotor_inertia;
+    joint.viscous_friction = motor.viscous_friction;
+    joint.coulomb_friction = motor.coulomb_friction;
+    joint.parent = -1;
+    chain.joints.push_back(joint);
+  }
+  chain.motors.clear();
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    Joint& joint = chain.joints[i];
+    if (joint.leaders.empty()) continue;
+    Gear gear{static_cast<Eigen::Index>(i), {}, joint.offset};
+    for (const auto& [name, ratio] : joint.leaders)
+      gear.leaders.emplace_back(joint_named(chain, name), ratio);
+    mechanism.gears.push_back(gear);
+    const Vector3d way = joint.offset * joint.axis;
+    joint.before = joint.revolute ? joint.before * Eigen::AngleAxisd(-joint.offset, joint.axis)
+                                  : joint.before * Eigen::Translation3d(-way);
+    joint.leaders.clear();
+  }
+}
+
 struct Ends {
   std::array<Vector3d, 2> at;
 };
@@ -121,6 +148,7 @@ LoopMechanism load_loops(const std::filesystem::path& path, const Values& given)
     for (const auto& [key, node] : *defaults) values.emplace(std::string(key.str()), value_of(node, {}));
   LoopMechanism mechanism;
   mechanism.chain = load(path, given);
+  take_gears(mechanism);
   mechanism.size = 0;
   for (const toml::node& node : *file["loop"].as_array()) {
     mechanism.closures.push_back(closure_of(*node.as_table(), mechanism.chain, values));
@@ -150,7 +178,17 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
     else
       result.insert(result.end(), {way.x(), way.y(), way.z()});
   }
+  const VectorXd expected = followed(mechanism, q);
+  for (const Gear& gear : mechanism.gears) result.push_back(q[gear.joint] - expected[gear.joint]);
   return Eigen::Map<VectorXd>(result.data(), static_cast<Eigen::Index>(result.size()));
+}
+
+VectorXd followed(const LoopMechanism& mechanism, VectorXd q) {
+  for (const Gear& gear : mechanism.gears) {
+    q[gear.joint] = gear.offset;
+    for (const auto& [leader, ratio] : gear.leaders) q[gear.joint] += ratio * q[leader];
+  }
+  return q;
 }
 
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
@@ -178,6 +216,11 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
       result.middleRows(row, 3) = by;
       row += 3;
     }
+  }
+  for (const Gear& gear : mechanism.gears) {
+    result(row, gear.joint) = 1;
+    for (const auto& [leader, ratio] : gear.leaders) result(row, leader) -= ratio;
+    ++row;
   }
   return result;
 }

@@ -21,18 +21,30 @@ struct Closure {
   [[nodiscard]] bool is_rod() const { return length > 0 || length_joint >= 0; }
 };
 
+/// A joint that follows others: its value is a sum of theirs, each times a factor, and a constant.
+struct Gear {
+  Eigen::Index joint = 0;
+  std::vector<std::pair<Eigen::Index, double>> leaders;
+  double offset = 0;  ///< rad or m
+};
+
+/// Every joint has a value of its own here; motors that are no joints are joints without mass behind them.
 struct LoopMechanism {
   Chain chain;
   std::vector<Closure> closures;
+  std::vector<Gear> gears;
   std::vector<Eigen::Index> driven, outputs, passive;
   double size = 1;  ///< m: all lengths together
 };
 
 LoopMechanism load_loops(const std::filesystem::path& file, const Values& values = {});
 
-/// Three gaps for points that are one, m; for a rod how much longer it is than it should be.
+/// Three gaps for points that are one, m; for a rod how much longer it is than it should be; at the end one
+/// for each joint that follows others.
 VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
-/// Their derivatives by all joints, by cross products.
+/// Puts joints that follow others where those are.
+VectorXd followed(const LoopMechanism& mechanism, VectorXd q);
+/// Derivatives of the gaps by all joints, by cross products.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
 /// A pose, in the world's frame, that a frame has to be in.

@@ -8,6 +8,7 @@
 
 #include "emit/blocks/reached.h"
 #include "emit/c/inverse/blocks.h"
+#include "emit/c/single_precision.h"
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/tidy.h"
 #include "emit/inverse/arm.h"
@@ -194,6 +195,12 @@ Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, cons
       render("c/solve_sizes.c", values) + "\n" + inverse_blocks() + "\n" + render("c/solve.c", values);
   return {render("c/solutions.h", values),
           render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
+}
+
+std::string assemblies(const json& values) {
+  const std::string source = render("c/assembly_sizes.c", values) + "\n" + inverse_blocks() + "\n" +
+                             render("c/assembly_solve.c", values);
+  return render("c/assembly_head.c", values) + "\n" + in_double_precision(wrapped(blocks::reached(source)));
 }
 
 Part metrics(const model::Robot& robot) {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Gears among loops: a joint that follows others is one more equation, whose values sum up to a constant.
+// Where all of its joints but one are known, that one is known, too: before all steps if their values are
+// given, whatever the factors; behind steps, which find angles but no whole turns, if the factors are whole.
+#pragma once
+
+#include <vector>
+
+#include "derive/loops/cycle.h"
+
+namespace qvgen::derive::loops {
+
+/// A joint whose value is `constant` times the gear's offset and others' values, each times its factor.
+struct Geared {
+  std::size_t joint;
+  std::vector<std::pair<std::size_t, cln::cl_RA>> sum;
+  cln::cl_RA constant = 1;
+  std::size_t cycle = 0;  ///< index of the gear among the cycles
+};
+
+/// Returns the gear `cycles[index]` as the value of one of its joints.
+Geared solved_for(const std::vector<Cycle>& cycles, std::size_t index, std::size_t joint);
+
+/// Returns joints that given ones lead, or are led by, one after the other.
+std::vector<Geared> geared_by(const std::vector<Cycle>& cycles, const std::vector<std::size_t>& given);
+
+/// Returns the value of such a joint as the one output of a program in the variables of the joints.
+symbolic::Program program_of(const Geared& geared, const model::Robot& robot,
+                             const std::vector<Cycle>& cycles);
+
+}  // namespace qvgen::derive::loops
