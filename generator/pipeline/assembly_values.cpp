@@ -101,6 +101,22 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
   return result;
 }
 
+/// Angles of cosines and sines, whose values are then those of one call for all of them.
+json in_one_call(json& values) {
+  std::vector<std::string> angles;
+  const std::string start = "std::cos(";
+  for (json& each : values) {
+    const std::string value = each["value"];
+    const bool is_cosine = value.rfind(start, 0) == 0;
+    if (!is_cosine && value.rfind("std::sin(", 0) != 0) continue;
+    const std::string angle = value.substr(start.size(), value.size() - start.size() - 1);
+    const auto place = std::find(angles.begin(), angles.end(), angle) - angles.begin();
+    if (static_cast<std::size_t>(place) == angles.size()) angles.push_back(angle);
+    each["value"] = fmt::format("angles.{}[{}]", is_cosine ? "cosine" : "sine", place);
+  }
+  return angles.empty() ? json(false) : json{{"list", fmt::format("{}", fmt::join(angles, ", "))}};
+}
+
 std::vector<std::string> numbers(std::size_t count) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < count; ++i) list.push_back(std::to_string(i));
@@ -160,7 +176,8 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
   const derive::loops::Constraints constraints = derive::loops::constraints_of(assembly);
   const model::Robot& robot = assembly.robot;
   const std::size_t gaps = constraints.rows + constraints.redundant_rows;
-  const auto add = [&](const std::string& name, const ProgramCode& code) {
+  const auto add = [&](const std::string& name, ProgramCode code) {
+    values[name + "_angles"] = in_one_call(code.values);
     values[name + "_values"] = code.values;
     values[name + "_code"] = code.code;
   };
@@ -185,6 +202,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   json given_values = json::array();
   for (const std::size_t joint : assembly.given)
     for (const json& value : values_of_joint(robot, joint, false)) given_values.push_back(value);
+  const json given_angles = in_one_call(given_values);
   return {{"function", variant.function},
           {"type", variant.type},
           {"space", variant.space},
@@ -200,6 +218,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
           {"given_flags", commas(flags(robot.joints.size(), assembly.given))},
+          {"given_angles", given_angles},
           {"given_values", given_values},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
