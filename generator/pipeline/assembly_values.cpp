@@ -111,6 +111,22 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
   return result;
 }
 
+/// Angles of cosines and sines, whose values are then those of one call for all of them.
+json in_one_call(json& values) {
+  std::vector<std::string> angles;
+  const std::string start = "std::cos(";
+  for (json& each : values) {
+    const std::string value = each["value"];
+    const bool is_cosine = value.rfind(start, 0) == 0;
+    if (!is_cosine && value.rfind("std::sin(", 0) != 0) continue;
+    const std::string angle = value.substr(start.size(), value.size() - start.size() - 1);
+    const auto place = std::find(angles.begin(), angles.end(), angle) - angles.begin();
+    if (static_cast<std::size_t>(place) == angles.size()) angles.push_back(angle);
+    each["value"] = fmt::format("angles.{}[{}]", is_cosine ? "cosine" : "sine", place);
+  }
+  return angles.empty() ? json(false) : json{{"list", fmt::format("{}", fmt::join(angles, ", "))}};
+}
+
 std::vector<std::string> numbers(std::size_t count) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < count; ++i) list.push_back(std::to_string(i));
@@ -199,7 +215,8 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
   const derive::loops::Constraints constraints = derive::loops::constraints_of(assembly);
   const model::Robot& robot = assembly.robot;
   const std::size_t gaps = constraints.rows + constraints.redundant_rows;
-  const auto add = [&](const std::string& name, const ProgramCode& code) {
+  const auto add = [&](const std::string& name, ProgramCode code) {
+    values[name + "_angles"] = in_one_call(code.values);
     values[name + "_values"] = code.values;
     values[name + "_code"] = code.code;
   };
@@ -222,6 +239,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   const bool forward = variant.function == "assemble";
   json geometry = json::array();
   for (const auto& [name, field] : emit::geometry_fields(robot)) geometry.push_back({{"field", field}});
+  json given_values = values_of_known(assembly, in_cpp());
+  const json given_angles = in_one_call(given_values);
   return {{"function", variant.function},
           {"type", variant.type},
           {"space", variant.space},
@@ -239,7 +258,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given_flags", commas(flags(robot.joints.size(), assembly.known()))},
           {"has_gears", assembly.has_gears()},
           {"gears", values_of_gears(assembly, in_cpp())},
-          {"given_values", values_of_known(assembly, in_cpp())},
+          {"given_angles", given_angles},
+          {"given_values", given_values},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},

@@ -172,7 +172,7 @@ TEST(MjcfMotors, AChainWithSomeOfTheJointsIsTold) {
   const std::string text =
       chain(tendons(tendon("left", sum) + tendon("right", difference)) + actuators({"left", "right"}));
   EXPECT_NE(
-      report(text, options).find("the motors of 'j1' act by tendons on joints that are not all in one chain"),
+      report(text, options).find("the motors of 'j1' act by tendons on joints that are not all in one open chain"),
       std::string::npos)
       << report(text, options);
 }

@@ -18,7 +18,7 @@ namespace five_bar = qvgen::robots::five_bar_family;
 namespace slider = qvgen::robots::slider_crank_family;
 namespace delta = qvgen::robots::delta;
 
-constexpr int linkages = 200, inputs = 20;
+constexpr int linkages = 200, inputs = QVGEN_LOOP_INPUTS < 1000 ? 20 : QVGEN_LOOP_INPUTS;
 
 four_bar::Geometry four_bar_of(double crank, double coupler, double rocker, double ground) {
   four_bar::Geometry g;

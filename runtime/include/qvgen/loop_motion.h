@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <qvgen/assembly.h>
 #include <qvgen/detail/linear_system.h>
+#include <qvgen/limb.h>
 
 namespace qvgen {
 
@@ -19,6 +20,16 @@ Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(
     const Eigen::Matrix<double, rows, dof>& matrix, const std::array<int, count>& columns) {
   Eigen::Matrix<double, rows, static_cast<int>(count)> result;
   for (std::size_t i = 0; i < count; ++i) result.col(static_cast<int>(i)) = matrix.col(columns[i]);
+  return result;
+}
+
+/// Rows of a limb's joints, from those of all joints.
+template <std::size_t count, int dof, int columns>
+Eigen::Matrix<double, static_cast<int>(count), columns> rows_of(
+    const std::array<LimbJoint, count>& limb, const Eigen::Matrix<double, dof, columns>& rows) {
+  Eigen::Matrix<double, static_cast<int>(count), columns> result;
+  for (std::size_t i = 0; i < count; ++i)
+    result.row(static_cast<int>(i)) = limb[i].ratio * rows.row(limb[i].joint);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <Eigen/Core>
@@ -43,71 +44,104 @@ class LinearSystem {
   using Square = Eigen::Matrix<double, size, size>;
   using Column = Eigen::Matrix<double, size, 1>;
 
-  explicit LinearSystem(const Square& matrix) : factors_(matrix) {
-    for (int i = 0; i < size; ++i) rows_[static_cast<std::size_t>(i)] = i;
-    for (int k = 0; k < size; ++k) {
-      bring_pivot_to(k);
-      eliminate(k);
+  explicit LinearSystem(const Square& matrix) {
+    for (std::size_t i = 0; i < n; ++i) {
+      order_[i] = i;
+      for (std::size_t j = 0; j < n; ++j) rows_[i][j] = matrix(static_cast<int>(i), static_cast<int>(j));
     }
+    eliminate_from<0>();
   }
 
   [[nodiscard]] double determinant() const {
     double product = sign_;
-    for (int k = 0; k < size; ++k) product *= factors_(k, k);
+    for (std::size_t k = 0; k < n; ++k) product *= row(k)[k];
     return product;
   }
 
-  /// Solves matrix * x = right, column by column.
+  /// Solves matrix * x = right, all columns at once.
   template <int columns>
   [[nodiscard]] Eigen::Matrix<double, size, columns> solve(
       const Eigen::Matrix<double, size, columns>& right) const {
-    Eigen::Matrix<double, size, columns> x;
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < size; ++i) x(i, j) = right(rows_[static_cast<std::size_t>(i)], j);
-      for (int k = 0; k < size; ++k)
-        for (int i = k + 1; i < size; ++i) x(i, j) -= factors_(i, k) * x(k, j);
-      for (int k = size - 1; k >= 0; --k) {
-        x(k, j) /= factors_(k, k);
-        for (int i = 0; i < k; ++i) x(i, j) -= factors_(i, k) * x(k, j);
-      }
+    std::array<std::array<double, static_cast<std::size_t>(columns)>, n> x;
+    for (std::size_t i = 0; i < n; ++i)
+      for (int j = 0; j < columns; ++j)
+        x[i][static_cast<std::size_t>(j)] = right(static_cast<int>(order_[i]), j);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = k + 1; i < n; ++i) subtract(row(i)[k], x[k], x[i]);
+    for (std::size_t k = n; k-- > 0;) {
+      for (double& each : x[k]) each /= row(k)[k];
+      for (std::size_t i = 0; i < k; ++i) subtract(row(i)[k], x[k], x[i]);
     }
-    return x;
+    Eigen::Matrix<double, size, columns> result;
+    for (std::size_t i = 0; i < n; ++i)
+      for (int j = 0; j < columns; ++j) result(static_cast<int>(i), j) = x[i][static_cast<std::size_t>(j)];
+    return result;
   }
 
   /// Solves matrix^T * x = right.
-  [[nodiscard]] Column solve_transposed(Column right) const {
-    for (int k = 0; k < size; ++k) {
-      for (int i = 0; i < k; ++i) right[k] -= factors_(i, k) * right[i];
-      right[k] /= factors_(k, k);
+  [[nodiscard]] Column solve_transposed(const Column& right) const {
+    std::array<double, n> y;
+    for (std::size_t k = 0; k < n; ++k) {
+      y[k] = right[static_cast<int>(k)];
+      for (std::size_t i = 0; i < k; ++i) y[k] -= row(i)[k] * y[i];
+      y[k] /= row(k)[k];
     }
-    for (int k = size - 1; k >= 0; --k)
-      for (int i = k + 1; i < size; ++i) right[k] -= factors_(i, k) * right[i];
+    for (std::size_t k = n; k-- > 0;)
+      for (std::size_t i = k + 1; i < n; ++i) y[k] -= row(i)[k] * y[i];
     Column x;
-    for (int i = 0; i < size; ++i) x[rows_[static_cast<std::size_t>(i)]] = right[i];
+    for (std::size_t i = 0; i < n; ++i) x[static_cast<int>(order_[i])] = y[i];
     return x;
   }
 
  private:
-  void bring_pivot_to(int k) {
-    int best = k;
-    for (int i = k + 1; i < size; ++i)
-      if (std::abs(factors_(i, k)) > std::abs(factors_(best, k))) best = i;
-    if (best == k) return;
-    sign_ = -sign_;
-    std::swap(rows_[static_cast<std::size_t>(k)], rows_[static_cast<std::size_t>(best)]);
-    for (int j = 0; j < size; ++j) std::swap(factors_(k, j), factors_(best, j));
+  static constexpr std::size_t n = static_cast<std::size_t>(size);
+  using Row = std::array<double, n>;
+
+  template <std::size_t count>
+  static void subtract(double factor, const std::array<double, count>& from, std::array<double, count>& to) {
+    for (std::size_t j = 0; j < count; ++j) to[j] -= factor * from[j];
+  }
+  [[nodiscard]] const Row& row(std::size_t i) const { return rows_[order_[i]]; }
+
+  /// Steps from column k on, each with bounds that the compiler knows.
+  template <std::size_t k>
+  void eliminate_from() {
+    if constexpr (k < n) {
+      bring_pivot_to<k>();
+      eliminate<k>();
+      eliminate_from<k + 1>();
+    }
   }
 
-  void eliminate(int k) {
-    const double pivot = factors_(k, k);
+  /// Chooses without branches, which no machine would foresee; rows stay in their places.
+  template <std::size_t k>
+  [[gnu::always_inline]] inline void bring_pivot_to() {
+    std::size_t best = k;
+    double largest = std::abs(row(k)[k]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double each = std::abs(row(i)[k]);
+      best = each > largest ? i : best;
+      largest = each > largest ? each : largest;
+    }
+    sign_ = best == k ? sign_ : -sign_;
+    std::swap(order_[k], order_[best]);
+  }
+
+  template <std::size_t k>
+  [[gnu::always_inline]] inline void eliminate() {
+    const Row& pivots = row(k);
+    const double pivot = pivots[k];
     if (pivot == 0) return;
-    for (int i = k + 1; i < size; ++i) factors_(i, k) /= pivot;
-    for (int j = k + 1; j < size; ++j)
-      for (int i = k + 1; i < size; ++i) factors_(i, j) -= factors_(i, k) * factors_(k, j);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      Row& lower = rows_[order_[i]];
+      const double factor = lower[k] / pivot;
+      lower[k] = factor;
+      for (std::size_t j = k + 1; j < n; ++j) lower[j] -= factor * pivots[j];
+    }
   }
 
-  Square factors_;                                        ///< below the diagonal, and on it and above
-  std::array<int, static_cast<std::size_t>(size)> rows_;  ///< of the matrix, in the order of the pivots
+  std::array<Row, n> rows_;  ///< of the matrix in its order: factors below the diagonal, on it and above
+  std::array<std::size_t, n> order_;  ///< of rows, as pivots come
   double sign_ = 1;
 };
 

@@ -8,24 +8,14 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 
-#include <qvgen/inverse/angles.h>
+#include <qvgen/inverse/two_turns_polynomial.h>
 
 namespace qvgen::inverse {
 
-/// sum of m[3 j + k] a_j b_k with a = (1, cos u, sin u) and b = (1, cos v, sin v).
-template <typename Scalar>
-using TwoTurnsEquation = std::array<Scalar, 9>;
-
-/// Both equations, which are to vanish.
-template <typename Scalar>
-struct TwoTurns {
-  std::array<TwoTurnsEquation<Scalar>, 2> rows;
-};
-
+/// One solution: both angles.
 template <typename Scalar>
 struct TurnPair {
   Rotor<Scalar> first, second;
@@ -41,126 +31,6 @@ struct TurnPairs {
 };
 
 namespace two_turns_cases {
-
-/// one + c cos + s sin of an angle.
-template <typename Scalar>
-struct Wave {
-  Scalar one, c, s;
-};
-
-template <typename Scalar>
-Scalar dot(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
-  return wave.one + wave.c * at.cosine + wave.s * at.sine;
-}
-template <typename Scalar>
-Scalar slope(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
-  return wave.s * at.cosine - wave.c * at.sine;
-}
-
-/// An equation at a value of u: a wave of v.
-template <typename Scalar>
-Wave<Scalar> of_second(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
-  const auto entry = [&](std::size_t k) { return m[k] + m[3 + k] * u.cosine + m[6 + k] * u.sine; };
-  return {entry(0), entry(1), entry(2)};
-}
-/// Its derivative by u.
-template <typename Scalar>
-Wave<Scalar> of_second_by_first(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
-  const auto entry = [&](std::size_t k) { return m[6 + k] * u.cosine - m[3 + k] * u.sine; };
-  return {entry(0), entry(1), entry(2)};
-}
-
-template <typename Scalar>
-Wave<Scalar> cross(const Wave<Scalar>& a, const Wave<Scalar>& b) {
-  return {a.c * b.s - a.s * b.c, a.s * b.one - a.one * b.s, a.one * b.c - a.c * b.one};
-}
-
-/// Real trigonometric polynomial: the coefficients of e^(i k u) for k = 0, ..., degree; those of -k are their
-/// conjugates.
-template <typename Scalar, std::size_t degree>
-using Harmonics = std::array<Rotor<Scalar>, degree + 1>;
-
-template <typename Scalar>
-Harmonics<Scalar, 1> harmonics(const Scalar& one, const Scalar& c, const Scalar& s) {
-  const Scalar half(0.5);
-  return {{{one, Scalar(0)}, {half * c, -half * s}}};
-}
-
-template <typename Scalar, std::size_t degree>
-Harmonics<Scalar, 2 * degree> product(const Harmonics<Scalar, degree>& a,
-                                      const Harmonics<Scalar, degree>& b) {
-  constexpr int n = static_cast<int>(degree);
-  const auto of = [](const Harmonics<Scalar, degree>& f, int k) {
-    return k < 0 ? inverse(f[static_cast<std::size_t>(-k)]) : f[static_cast<std::size_t>(k)];
-  };
-  Harmonics<Scalar, 2 * degree> result;
-  for (int k = 0; k <= 2 * n; ++k) {
-    Rotor<Scalar> sum{Scalar(0), Scalar(0)};
-    for (int j = k - n; j <= n; ++j) {
-      const Rotor<Scalar> term = of(a, j) * of(b, k - j);
-      sum = {sum.cosine + term.cosine, sum.sine + term.sine};
-    }
-    result[static_cast<std::size_t>(k)] = sum;
-  }
-  return result;
-}
-
-template <typename Scalar, std::size_t degree>
-void add(Harmonics<Scalar, degree>& sum, double factor, const Harmonics<Scalar, degree>& f) {
-  for (std::size_t k = 0; k <= degree; ++k) {
-    sum[k].cosine = sum[k].cosine + Scalar(factor) * f[k].cosine;
-    sum[k].sine = sum[k].sine + Scalar(factor) * f[k].sine;
-  }
-}
-
-/// The second angle eliminated: (1, cos v, sin v) is along the cross product of both waves, whose entries are
-/// polynomials in u; cos² + sin² = 1 makes them one of degree four.
-template <typename Scalar>
-Harmonics<Scalar, 4> eliminated(const TwoTurns<Scalar>& e) {
-  const auto wave = [&](std::size_t row, std::size_t k) {
-    const auto& m = e.rows[row];
-    return harmonics(m[k], m[3 + k], m[6 + k]);
-  };
-  Harmonics<Scalar, 4> sum{};
-  for (Rotor<Scalar>& each : sum) each = {Scalar(0), Scalar(0)};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    Harmonics<Scalar, 2> entry = product<Scalar, 1>(wave(0, i), wave(1, j));
-    add<Scalar, 2>(entry, -1, product<Scalar, 1>(wave(0, j), wave(1, i)));
-    add<Scalar, 4>(sum, k == 0 ? -1 : 1, product<Scalar, 2>(entry, entry));
-  }
-  return sum;
-}
-
-/// Value and two derivatives of a polynomial.
-template <typename Scalar>
-struct Jet {
-  Scalar value, slope, curvature;
-};
-
-template <typename Scalar>
-Jet<Scalar> jet(const Harmonics<Scalar, 4>& f, const Rotor<Scalar>& u) {
-  Jet<Scalar> result{f[0].cosine, Scalar(0), Scalar(0)};
-  Rotor<Scalar> power = u;
-  for (std::size_t k = 1; k <= 4; ++k) {
-    const Rotor<Scalar> term = f[k] * power;
-    const Scalar n(static_cast<double>(2 * k)), order(static_cast<double>(k));
-    result.value = result.value + Scalar(2) * term.cosine;
-    result.slope = result.slope - n * term.sine;
-    result.curvature = result.curvature - n * order * term.cosine;
-    if (k < 4) power = power * u;
-  }
-  return result;
-}
-
-/// Bound of the third derivative.
-template <typename Scalar>
-Scalar third_bound(const Harmonics<Scalar, 4>& f) {
-  Scalar sum(0);
-  for (std::size_t k = 1; k <= 4; ++k)
-    sum = sum + Scalar(static_cast<double>(2 * k * k * k)) * (magnitude(f[k].cosine) + magnitude(f[k].sine));
-  return sum;
-}
 
 /// Candidates, tried by Newton's steps on both equations, and the solutions among them, each once.
 template <typename Scalar>
@@ -262,21 +132,23 @@ template <typename Scalar>
 class Circle {
  public:
   Circle(const TwoTurns<Scalar>& e, const Harmonics<Scalar, 4>& f, int most)
-      : f_(f), third_(third_bound(f)), solutions_(e, most) {}
+      : f_(f), third_(third_bound(f)), noise_(noise_of(third_)), solutions_(e, most) {}
 
   /// False if arcs without a verdict are so many that the equations hold along a curve.
   bool search() {
     const Rotor<Scalar> first = turn_by(0), next = first * first;
     Rotor<Scalar> middle = {-first.cosine, -first.sine};
-    for (int i = 0; i < first_arcs; ++i) {
-      visit(middle, half_of_first, 1);
-      middle = middle * next;
+    for (int i = 0; i < first_arcs; i += 2) {
+      const Rotor<Scalar> second = middle * next;
+      visit({middle, second}, half_of_first, 1);
+      middle = second * next;
     }
     return visits_ < most_visits;
   }
   [[nodiscard]] const TurnPairs<Scalar>& found() const { return solutions_.found(); }
 
  private:
+  using Places = std::array<Rotor<Scalar>, 2>;
   static constexpr int first_arcs = 16, most_visits = 1500;
   static constexpr std::size_t depths = 9;
   static constexpr double half_of_first = 3.14159265358979323846 / first_arcs;
@@ -291,19 +163,43 @@ class Circle {
   static Rotor<Scalar> turn_by(std::size_t depth) {
     return {Scalar(turns[depth][0]), Scalar(turns[depth][1])};
   }
-
-  void visit(const Rotor<Scalar>& middle, double half, std::size_t depth) {
-    if (++visits_ >= most_visits) return;
-    const Jet<Scalar> at = jet(f_, middle);
-    const Scalar h(1.0001 * half), bend = magnitude(at.curvature) + third_ * h;
-    if (magnitude(at.value) > (magnitude(at.slope) + bend * h / Scalar(2)) * h) return;
-    if (magnitude(at.slope) > bend * h) return one_root(middle, at, half);
-    if (depth > depths) return close_roots(middle, at, half);
-    visit(middle * inverse(turn_by(depth)), half / 2, depth + 1);
-    visit(middle * turn_by(depth), half / 2, depth + 1);
+  /// Rounding in the polynomial's values: those of its three squares are as large as the roots of its size.
+  static Scalar noise_of(const Scalar& size) {
+    using std::sqrt;
+    return Scalar(32) * epsilon<Scalar>() * Scalar(sqrt(size));
   }
 
-  /// Newton's steps within the arc, where the slope has one sign.
+  /// Two arcs of one length, the first one first.
+  void visit(const Places& middles, double half, std::size_t depth) {
+    const Jets<Scalar, 2> at = jets(f_, middles);
+    for (std::size_t i = 0; i < 2; ++i) visit(middles[i], at.at(i), half, depth);
+  }
+
+  void visit(const Rotor<Scalar>& middle, const Jet<Scalar>& at, double half, std::size_t depth) {
+    if (++visits_ >= most_visits) return;
+    const Scalar h(1.0001 * half);
+    if (has_no_root(at, h)) return;
+    if (magnitude(at.slope) > (magnitude(at.curvature) + third_ * h / Scalar(2)) * h)
+      return one_root(middle, at, half);
+    if (depth > depths) return close_roots(middle, at, half);
+    const Rotor<Scalar> turn = turn_by(depth);
+    visit({middle * inverse(turn), middle * turn}, half / 2, depth + 1);
+  }
+
+  /// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
+  bool has_no_root(const Jet<Scalar>& at, const Scalar& h) const {
+    const Scalar steep = magnitude(at.slope), bend = flipped_by(at.value, at.curvature);
+    const Scalar farthest = third_ * h * h * h / Scalar(6) + noise_;
+    const Scalar down = steep < bend * h ? Scalar(steep * steep / (Scalar(2) * bend))
+                                         : Scalar((steep - bend * h / Scalar(2)) * h);
+    return magnitude(at.value) - down > farthest;
+  }
+  /// The number with its sign changed where that of `by` is below zero.
+  static Scalar flipped_by(const Scalar& by, const Scalar& number) {
+    return by < Scalar(0) ? Scalar(-number) : number;
+  }
+
+  /// Newton's steps within the arc, where the slope has one sign. Those on both equations do the rest.
   void one_root(const Rotor<Scalar>& middle, const Jet<Scalar>& start, double half) {
     Jet<Scalar> at = start;
     Rotor<Scalar> u = middle;
@@ -314,11 +210,11 @@ class Circle {
         if (magnitude(from) == Scalar(1.01 * half)) return;  // the root is outside
         to = with_sign(Scalar(1.01 * half), to);
       }
-      const bool is_still = magnitude(to - from) < Scalar(1e-9);
+      const bool is_still = magnitude(to - from) < Scalar(1e-5);
       from = to;
       u = turned_by(middle, from);
       if (is_still) break;
-      at = jet(f_, u);
+      at = jets<Scalar, 1>(f_, {u}).at(0);
     }
     if (!solutions_.take_common(u)) solutions_.take_both(u);
   }
@@ -342,7 +238,7 @@ class Circle {
   }
 
   const Harmonics<Scalar, 4>& f_;
-  Scalar third_;
+  Scalar third_, noise_;
   Solutions<Scalar> solutions_;
   int visits_ = 0;
 };
