@@ -54,8 +54,10 @@ json values_of_joint(const model::Robot& robot, std::size_t joint, bool with_rat
   const bool slides = robot.joints[joint].type == model::JointType::prismatic;
   if (slides || with_rate) list.push_back({{"name", variable}, {"value", q}});
   if (!slides) {
-    list.push_back({{"name", names::cosine(variable)}, {"value", dialect.math + "cos(" + q + ")"}});
-    list.push_back({{"name", names::sine(variable)}, {"value", dialect.math + "sin(" + q + ")"}});
+    list.push_back(
+        {{"name", names::cosine(variable)}, {"value", dialect.math + "cos(" + q + ")"}, {"cosine_of", q}});
+    list.push_back(
+        {{"name", names::sine(variable)}, {"value", dialect.math + "sin(" + q + ")"}, {"sine_of", q}});
   }
   if (with_rate) list.push_back({{"name", "rate_" + variable}, {"value", fmt::format("qd[{}]", joint)}});
   return list;
@@ -111,19 +113,19 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
   return result;
 }
 
-/// Angles of cosines and sines, whose values are then those of one call for all of them.
+/// The angles of cosines and sines among values, which are taken from one call for all of them.
 json in_one_call(json& values) {
   std::vector<std::string> angles;
-  const std::string start = "std::cos(";
-  for (json& each : values) {
-    const std::string value = each["value"];
-    const bool is_cosine = value.rfind(start, 0) == 0;
-    if (!is_cosine && value.rfind("std::sin(", 0) != 0) continue;
-    const std::string angle = value.substr(start.size(), value.size() - start.size() - 1);
-    const auto place = std::find(angles.begin(), angles.end(), angle) - angles.begin();
-    if (static_cast<std::size_t>(place) == angles.size()) angles.push_back(angle);
-    each["value"] = fmt::format("angles.{}[{}]", is_cosine ? "cosine" : "sine", place);
-  }
+  const auto place_of = [&](const std::string& angle) {
+    const auto place = std::find(angles.begin(), angles.end(), angle);
+    if (place != angles.end()) return place - angles.begin();
+    angles.push_back(angle);
+    return static_cast<std::ptrdiff_t>(angles.size()) - 1;
+  };
+  for (json& each : values)
+    for (const char* part : {"cosine", "sine"})
+      if (const auto angle = each.find(std::string(part) + "_of"); angle != each.end())
+        each["value"] = fmt::format("angles.{}[{}]", part, place_of(*angle));
   return angles.empty() ? json(false) : json{{"list", fmt::format("{}", fmt::join(angles, ", "))}};
 }
 
