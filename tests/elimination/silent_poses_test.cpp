@@ -132,6 +132,7 @@ TEST(NamedSilentPoses, AreFoundOrTold) {
        crx10ia(),
        {-2.6530558336766803, -3.0937169698393188, -right, -1.1965956659447461, -0.3821614663252198,
         -1.1099083743026024}},
+      {"three solutions that meet in each of two rows", m10(), {0, 0, -pi, 0, pi, eighth}},
       {"a continuum of which another curve was known", crx10ia(), {-pi, 0, -right, pi, 0, pi}},
   };
   for (const Named& each : all) {

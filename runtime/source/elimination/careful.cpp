@@ -22,6 +22,8 @@ constexpr double lane_miss = 1e-5;
 constexpr double stray_miss = 1e-4;
 /// How much an idle joint moves the tool at a row that is singular to rounding, as a share of the size.
 constexpr double exactly_idle = 1e-12;
+/// Likewise at a row where three solutions meet, which is known to a third of the digits.
+constexpr double idle_of_three = 1e-10;
 /// A step along a curve of solutions, which is brought back to the pose; so many are a whole turn of two
 /// joints.
 constexpr double longest_walk = 0.8;
@@ -203,12 +205,15 @@ bool Careful::any_is_singular() const {
 
 /// True if a row is singular to rounding, and on no continuum, as between right angles. Others like it may
 /// meet in one place of all polynomials, and be lost by every elimination: a pose nearby tells them apart.
-bool Careful::any_is_exactly_singular() const {
+bool Careful::any_is_exactly_singular() {
   using Newton = polishing::Newton<double, joints, 3>;
   return std::any_of(rows_, rows_ + size_, [&](const Row& row) {
     if (row.continuum) return false;
     const auto idle = Newton::idle(Newton(task_).reached(row.values));
-    return idle.least < joints && idle.square < exactly_idle * exactly_idle * task_.size_square;
+    if (idle.least == joints) return false;
+    const double share = idle.square / task_.size_square;
+    return share < exactly_idle * exactly_idle ||
+           (share < idle_of_three * idle_of_three && three_meet_in(row, idle.least));
   });
 }
 

@@ -93,7 +93,9 @@ class Careful {
   [[nodiscard]] bool is_singular(const Row& row) const;
   [[nodiscard]] bool leaves_doubt(const Gathered& found) const;
   [[nodiscard]] bool any_is_singular() const;
-  [[nodiscard]] bool any_is_exactly_singular() const;
+  [[nodiscard]] bool any_is_exactly_singular();
+  [[nodiscard]] double miss_beside(const Row& row, std::size_t joint, double by);
+  [[nodiscard]] bool three_meet_in(const Row& row, std::size_t idle_joint);
   [[nodiscard]] bool is_even() const;
   [[nodiscard]] bool leads_to(Values values, const Values& goal);
   [[nodiscard]] bool is_on_known_continuum(const Values& values);

@@ -76,7 +76,7 @@ struct Careful::Consensus {
   }
 
   /// Doubts that no singular row explains may be those of two that meet and are lost.
-  [[nodiscard]] bool may_have_lost_two() const {
+  [[nodiscard]] bool may_have_lost_two() {
     return asked_nearby < most_nearby && (of.any_is_exactly_singular() || (doubted && !of.any_is_singular()));
   }
   void look_on_both_sides() {

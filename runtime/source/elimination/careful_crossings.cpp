@@ -38,6 +38,25 @@ bool Careful::goes_on_beside(const Row& row, std::size_t joint, double by) {
   return false;
 }
 
+/// Returns what is left of the way to the pose, as a share of the size, with a joint held aside of a row.
+double Careful::miss_beside(const Row& row, std::size_t joint, double by) {
+  Values beside = row.values;
+  Newton(task_).advance(joint, task_.arm[joint].revolute ? by : by * setup_.chain.size, beside);
+  Held<joints> held{};
+  held[joint] = true;
+  Reached<double, joints, 3> there;
+  (void)polish(task_, {std::max(tolerance_, default_tolerance)}, beside, there, walks_, held);
+  return std::sqrt(there.error / task_.size_square);
+}
+
+/// True if three solutions meet in a row, at least: the miss beside it grows with the third power of the way.
+/// It does with the second where two meet, and hardly next to a continuum.
+bool Careful::three_meet_in(const Row& row, std::size_t idle_joint) {
+  constexpr double little = 0.02, more = 0.2, growth = 300;
+  const double near = miss_beside(row, idle_joint, little), far = miss_beside(row, idle_joint, more);
+  return far > growth * near;
+}
+
 void Careful::look_along_crossings() {
   for (int i = 0; i < size_; ++i) {
     Row& row = rows_[i];

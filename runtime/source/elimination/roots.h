@@ -228,9 +228,16 @@ class RootFinder {
     for (int step = 0; step < 4; ++step) {
       const Value v = value_at(f_, beside_middle(part, root));
       root -= v.value / v.slope;
-      if (!(std::fabs(root) < farthest)) return;
+      if (!(std::fabs(root) < farthest)) return add_unsteady_root(part);
     }
     found_.add_once(beside_middle(part, root), 0);
+  }
+
+  /// Adds the middle of a part that has a root to which Newton's steps do not lead.
+  void add_unsteady_root(const Part& part) {
+    const double low = value_at(f_, angle_of(part.arc, part.low)).value;
+    const double high = value_at(f_, angle_of(part.arc, part.high)).value;
+    if (low * high < 0) found_.add_once(beside_middle(part, 0), width_of(part));
   }
 
   /// Adds the roots of the parabola about a stationary point, or of one that is a tolerance off: there two
