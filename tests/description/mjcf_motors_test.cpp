@@ -171,9 +171,26 @@ TEST(MjcfMotors, AChainWithSomeOfTheJointsIsTold) {
   options.tip = "b1";
   const std::string text =
       chain(tendons(tendon("left", sum) + tendon("right", difference)) + actuators({"left", "right"}));
-  EXPECT_NE(
-      report(text, options).find("the motors of 'j1' act by tendons on joints that are not all in one chain"),
-      std::string::npos)
+  EXPECT_NE(report(text, options)
+                .find("the motors of 'j1' act by tendons on joints that are not all in this chain"),
+            std::string::npos)
+      << report(text, options);
+}
+
+TEST(MjcfMotors, JointsThatBranchHaveValuesOfTheirOwn) {
+  const auto finger = [](const std::string& name) {
+    return "<body name=\"" + name + "\" pos=\"1 0 0\"><joint name=\"j_" + name +
+           "\"/><geom size=\"0.1\"/></body>";
+  };
+  const std::string text = "<mujoco model=\"hand\"><worldbody>" + finger("a") + finger("b") +
+                           "</worldbody>\n" +
+                           tendons("<fixed name=\"t\"><joint joint=\"j_a\" coef=\"2\"/></fixed>") +
+                           actuators({"t"}) + "</mujoco>\n";
+  ReadOptions options;
+  options.tips = {"all"};
+  EXPECT_NE(report(text, options)
+                .find("the motors of 'j_a' act by tendons on joints of a robot whose joints branch"),
+            std::string::npos)
       << report(text, options);
 }
 

@@ -112,34 +112,44 @@ void TreeReader::add_motor(const TendonMotor& motor, model::Robot& robot) {
   context_->motor_places.push_back(motor.place);
 }
 
-/// Adds the motors that joints follow. Where not all of a motor's joints are read, or joints branch, so that
-/// limbs may lack some, its followers are free, with a warning.
-void TreeReader::take_motors(model::Robot& robot) {
+/// True if a follower's motors can be had: limbs of joints that branch may lack some of a motor's joints.
+bool TreeReader::has_its_motors(const Follower& follower, const model::Robot& robot) const {
+  const auto motors = motors_.find(follower.joint);
+  if (motors == motors_.end()) return true;
   const auto is_read = [&](const std::string& joint) { return joint_called(joint).has_value(); };
   const auto is_whole = [&](const TendonMotor& motor) {
     return std::all_of(motor.joints.begin(), motor.joints.end(), is_read);
   };
-  std::vector<Follower> kept;
-  for (Follower& follower : context_->followers) {
-    const auto motors = motors_.find(follower.joint);
-    const bool has_motors = motors != motors_.end();
-    if (has_motors &&
-        (model::branches(robot) || !std::all_of(motors->second.begin(), motors->second.end(), is_whole))) {
-      context_->warning(
-          follower.place,
-          "the motors of '" + names_[follower.joint] +
-              "' act by tendons on joints that are not all in one chain: it has a value of its own",
-          "take a chain with all of them, if there is one, to have the motors' values");
-      continue;
-    }
-    if (has_motors)
+  return !model::branches(robot) && std::all_of(motors->second.begin(), motors->second.end(), is_whole);
+}
+
+/// Says why a joint that follows motors has a value of its own.
+void TreeReader::tell_of_motors(const Follower& follower, const model::Robot& robot) const {
+  const bool branches = model::branches(robot);
+  context_->warning(follower.place,
+                    "the motors of '" + names_[follower.joint] + "' act by tendons on joints " +
+                        (branches ? "of a robot whose joints branch" : "that are not all in this chain") +
+                        ": it has a value of its own",
+                    branches ? "a chain with all of them has the motors' values: --base, --tip"
+                             : "a chain with all of them, if there is one, has the motors' values");
+}
+
+/// Adds the motors that joints follow. A follower that cannot have its motors is free.
+void TreeReader::take_motors(model::Robot& robot) {
+  std::vector<Follower>& followers = context_->followers;
+  const auto is_without = [&](const Follower& follower) {
+    const bool is_free = !has_its_motors(follower, robot);
+    if (is_free) tell_of_motors(follower, robot);
+    return is_free;
+  };
+  std::erase_if(followers, is_without);
+  for (Follower& follower : followers) {
+    if (const auto motors = motors_.find(follower.joint); motors != motors_.end())
       for (const TendonMotor& motor : motors->second) add_motor(motor, robot);
     for (model::Lead& lead : follower.leaders)
       if (const auto known = motor_variables_.find(lead.variable); known != motor_variables_.end())
         lead.variable = known->second;
-    kept.push_back(std::move(follower));
   }
-  context_->followers = std::move(kept);
 }
 
 const Segment& TreeReader::segment_of(std::size_t node) {
