@@ -112,38 +112,51 @@ void TreeReader::add_motor(const TendonMotor& motor, model::Robot& robot) {
   context_->motor_places.push_back(motor.place);
 }
 
-/// True if a follower's motors can be had: limbs of joints that branch may lack some of a motor's joints.
-bool TreeReader::has_its_motors(const Follower& follower, const model::Robot& robot) const {
+/// True if a joint would follow several and has Coulomb friction, whose direction is no sum of theirs.
+bool TreeReader::rubs(const std::string& name, const model::Robot& robot) const {
+  const auto joint = joint_called(name);
+  return joint && !robot.joints[*joint].drive.coulomb_friction.is_literal_zero() &&
+         std::any_of(context_->followers.begin(), context_->followers.end(), [&](const Follower& follower) {
+           return follower.joint == *joint && follower.leaders.size() > 1;
+         });
+}
+
+/// Returns why a joint cannot follow its motors, empty if it can or has none. Limbs of joints that branch may
+/// lack some of a motor's joints.
+std::string TreeReader::obstacle_of_motors(const Follower& follower, const model::Robot& robot) const {
   const auto motors = motors_.find(follower.joint);
-  if (motors == motors_.end()) return true;
-  const auto is_read = [&](const std::string& joint) { return joint_called(joint).has_value(); };
-  const auto is_whole = [&](const TendonMotor& motor) {
-    return std::all_of(motor.joints.begin(), motor.joints.end(), is_read);
-  };
-  return !model::branches(robot) && std::all_of(motors->second.begin(), motors->second.end(), is_whole);
+  if (motors == motors_.end()) return "";
+  if (model::branches(robot)) return "the robot's joints branch";
+  std::set<std::string> joints{names_[follower.joint]};
+  for (const TendonMotor& motor : motors->second) joints.insert(motor.joints.begin(), motor.joints.end());
+  for (const std::string& joint : joints) {
+    if (!joint_called(joint)) return "the chain has not all of their joints";
+    if (rubs(joint, robot)) return "'" + joint + "' would follow several and has Coulomb friction";
+  }
+  return "";
 }
 
-/// Says why a joint that follows motors has a value of its own.
-void TreeReader::tell_of_motors(const Follower& follower, const model::Robot& robot) const {
-  const bool branches = model::branches(robot);
-  context_->warning(follower.place,
-                    "the motors of '" + names_[follower.joint] + "' act by tendons on joints " +
-                        (branches ? "of a robot whose joints branch" : "that are not all in this chain") +
-                        ": it has a value of its own",
-                    branches ? "a chain with all of them has the motors' values: --base, --tip"
-                             : "a chain with all of them, if there is one, has the motors' values");
+/// Frees the joints that cannot follow their motors, with a warning.
+void TreeReader::free_from_motors(const model::Robot& robot) {
+  std::vector<Follower> kept;
+  for (const Follower& follower : context_->followers) {
+    const std::string obstacle = obstacle_of_motors(follower, robot);
+    if (obstacle.empty())
+      kept.push_back(follower);
+    else
+      context_->warning(follower.place,
+                        "the motors of '" + names_[follower.joint] + "' act by tendons, but " + obstacle +
+                            ": it has a value of its own",
+                        "a chain with all joints, without 'frictionloss', has the motors' values");
+  }
+  context_->followers = std::move(kept);
 }
 
-/// Adds the motors that joints follow. A follower that cannot have its motors is free.
+/// Adds the motors that joints follow.
 void TreeReader::take_motors(model::Robot& robot) {
-  std::vector<Follower>& followers = context_->followers;
-  const auto is_without = [&](const Follower& follower) {
-    const bool is_free = !has_its_motors(follower, robot);
-    if (is_free) tell_of_motors(follower, robot);
-    return is_free;
-  };
-  std::erase_if(followers, is_without);
-  for (Follower& follower : followers) {
+  if (motors_.empty()) return;
+  free_from_motors(robot);
+  for (Follower& follower : context_->followers) {
     if (const auto motors = motors_.find(follower.joint); motors != motors_.end())
       for (const TendonMotor& motor : motors->second) add_motor(motor, robot);
     for (model::Lead& lead : follower.leaders)

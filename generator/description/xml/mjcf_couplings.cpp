@@ -127,7 +127,8 @@ void MjcfCouplings::read_tendons(const Element& element) {
   add(follower, relation);
 }
 
-/// What a joint is in joints that follow none: itself, if it follows none; nothing if it is reported.
+/// Returns a joint in terms of joints that follow none: itself, if it follows none; nothing if it is
+/// reported.
 std::optional<MjcfCouplings::Followed> MjcfCouplings::in_leaders(const std::string& joint) {
   if (joints_.count(joint) == 0) return std::nullopt;
   if (relations_.count(joint) == 0) return Followed{{{joint, 1}}, {}};
