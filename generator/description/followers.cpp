@@ -71,12 +71,14 @@ void hand_on_limits(Context& context, const Follower& follower, model::Joint& jo
   model::Limits limits{at_leader(own->lower, follower), at_leader(own->upper, follower)};
   if (cln::minusp(follower.leaders.front().ratio)) std::swap(limits.lower, limits.upper);
   if (*leader.limits) narrow(limits, **leader.limits);
+  const std::string contradicted = "the limits of '" + joint.variable + "' and of '" + leader.variable +
+                                   "', which it follows, leave no value that is within both";
+  if (!is_below(limits.lower, limits.upper) && follower.may_be_alone)
+    return context.warning(follower.place, contradicted + ": those of '" + leader.variable + "' count",
+                           "correct the relation or the limits");
   *leader.limits = limits;
-  if (is_below(limits.lower, limits.upper)) return;
-  context.error(follower.place,
-                "the limits of '" + joint.variable + "' and of '" + leader.variable +
-                    "', which it follows, leave no value that is within both",
-                "correct ratio, offset or limits");
+  if (!is_below(limits.lower, limits.upper))
+    context.error(follower.place, contradicted, "correct ratio, offset or limits");
 }
 
 /// Limits of a joint with several leaders, as limits of the relation without its offset, which stands in the

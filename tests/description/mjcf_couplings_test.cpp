@@ -159,6 +159,24 @@ TEST(MjcfCouplings, WhatTiesNoTwoJointsIsTold) {
   EXPECT_EQ(report(chain(equality("<joint joint1=\"j2\" joint2=\"j1\" active=\"false\"/>"))), "");
 }
 
+/// MuJoCo's limits give way: a file whose limits contradict its relation is read, with the leader's.
+TEST(MjcfCouplings, LimitsThatContradictARelationAreTold) {
+  const std::string text =
+      "<mujoco model=\"arm\"><compiler angle=\"radian\"/><worldbody><body><joint name=\"a\" range=\"0 "
+      "1.5\"/><body>"
+      "<joint name=\"b\" range=\"0 2\"/></body></body></worldbody>\n" +
+      equality(tied("b", "a", "-1.6 1")) + "</mujoco>";
+  const ReadResult result = read_text(text, "r.xml", {});
+  ASSERT_TRUE(result.robot);
+  ASSERT_TRUE(result.robot->joints[0].limits);
+  EXPECT_EQ(model::to_double(model::evaluate(result.robot->joints[0].limits->upper)), 1.5);
+  EXPECT_NE(report(text).find(
+                "warning: the limits of 'b' and of 'a', which it follows, leave no value that is within "
+                "both: those of 'a' count"),
+            std::string::npos)
+      << report(text);
+}
+
 /// A hostile file: a thousand joints, each of which follows the one before.
 TEST(MjcfCouplings, LongChainsOfFollowersEnd) {
   std::string relations;

@@ -171,10 +171,43 @@ TEST(MjcfMotors, AChainWithSomeOfTheJointsIsTold) {
   options.tip = "b1";
   const std::string text =
       chain(tendons(tendon("left", sum) + tendon("right", difference)) + actuators({"left", "right"}));
-  EXPECT_NE(
-      report(text, options).find("the motors of 'j1' act by tendons on joints that are not all in one open chain"),
-      std::string::npos)
+  EXPECT_NE(report(text, options)
+                .find("the motors of 'j1' act by tendons, but the chain has not all of their joints"),
+            std::string::npos)
       << report(text, options);
+}
+
+TEST(MjcfMotors, JointsThatBranchHaveValuesOfTheirOwn) {
+  const auto finger = [](const std::string& name) {
+    return "<body name=\"" + name + "\" pos=\"1 0 0\"><joint name=\"j_" + name +
+           "\"/><geom size=\"0.1\"/></body>";
+  };
+  const std::string text = "<mujoco model=\"hand\"><worldbody>" + finger("a") + finger("b") +
+                           "</worldbody>\n" +
+                           tendons("<fixed name=\"t\"><joint joint=\"j_a\" coef=\"2\"/></fixed>") +
+                           actuators({"t"}) + "</mujoco>\n";
+  ReadOptions options;
+  options.tips = {"all"};
+  EXPECT_NE(report(text, options).find("the motors of 'j_a' act by tendons, but the robot's joints branch"),
+            std::string::npos)
+      << report(text, options);
+}
+
+/// Friction whose direction would be no sum of the motors': the file is read without them.
+TEST(MjcfMotors, JointsWithCoulombFrictionHaveValuesOfTheirOwn) {
+  const std::string text = "<default><joint frictionloss=\"0.1\"/></default>" +
+                           tendons(tendon("left", sum) + tendon("right", difference)) +
+                           actuators({"left", "right"});
+  const ReadResult result = read_text(chain(text), "r.xml", {});
+  ASSERT_TRUE(result.robot);
+  EXPECT_TRUE(result.robot->motors.empty());
+  EXPECT_NE(report(chain(text))
+                .find("'j1' would follow several and has Coulomb friction: it has a value of its own"),
+            std::string::npos)
+      << report(chain(text));
+  const std::string alone =
+      "<default><joint frictionloss=\"0.1\"/></default>" + tendons(tendon("t", {0, 2, 0})) + actuators({"t"});
+  EXPECT_EQ(relation(read(chain(alone)), 1), "1/2 t");
 }
 
 TEST(MjcfMotors, WhatIsNoTendonOfTheFileIsLeftOut) {

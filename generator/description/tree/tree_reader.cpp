@@ -36,14 +36,11 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
 }
 
 void TreeReader::tie(model::Robot& robot) {
-  take_motors(robot, model::branches(robot));
+  take_motors(robot);
   tie_followers(*context_, names_, robot);
 }
 
-std::vector<model::Gear> TreeReader::gears(model::Robot& robot) {
-  take_motors(robot, true);
-  return gears_of(*context_, names_, robot);
-}
+std::vector<model::Gear> TreeReader::gears(model::Robot& robot) { return gears_of(*context_, names_, robot); }
 
 model::Inertia TreeReader::read_base(std::size_t base, const Body& own,
                                      const std::vector<std::size_t>& order) {
@@ -120,34 +117,57 @@ void TreeReader::add_motor(const TendonMotor& motor, model::Robot& robot) {
   context_->motor_places.push_back(motor.place);
 }
 
-/// Adds the motors that joints follow. Where not all of a motor's joints are read, or limbs may lack some,
-/// its followers are free, with a warning.
-void TreeReader::take_motors(model::Robot& robot, bool limbs_may_lack_some) {
-  const auto is_read = [&](const std::string& joint) { return joint_called(joint).has_value(); };
-  const auto is_whole = [&](const TendonMotor& motor) {
-    return std::all_of(motor.joints.begin(), motor.joints.end(), is_read);
-  };
+/// True if a joint would follow several and has Coulomb friction, whose direction is no sum of theirs.
+bool TreeReader::rubs(const std::string& name, const model::Robot& robot) const {
+  const auto joint = joint_called(name);
+  return joint && !robot.joints[*joint].drive.coulomb_friction.is_literal_zero() &&
+         std::any_of(context_->followers.begin(), context_->followers.end(), [&](const Follower& follower) {
+           return follower.joint == *joint && follower.leaders.size() > 1;
+         });
+}
+
+/// Returns why a joint cannot follow its motors, empty if it can or has none. Limbs of joints that branch may
+/// lack some of a motor's joints.
+std::string TreeReader::obstacle_of_motors(const Follower& follower, const model::Robot& robot) const {
+  const auto motors = motors_.find(follower.joint);
+  if (motors == motors_.end()) return "";
+  if (model::branches(robot)) return "the robot's joints branch";
+  std::set<std::string> joints{names_[follower.joint]};
+  for (const TendonMotor& motor : motors->second) joints.insert(motor.joints.begin(), motor.joints.end());
+  for (const std::string& joint : joints) {
+    if (!joint_called(joint)) return "the chain has not all of their joints";
+    if (rubs(joint, robot)) return "'" + joint + "' would follow several and has Coulomb friction";
+  }
+  return "";
+}
+
+/// Frees the joints that cannot follow their motors, with a warning.
+void TreeReader::free_from_motors(const model::Robot& robot) {
   std::vector<Follower> kept;
+  for (const Follower& follower : context_->followers) {
+    const std::string obstacle = obstacle_of_motors(follower, robot);
+    if (obstacle.empty())
+      kept.push_back(follower);
+    else
+      context_->warning(follower.place,
+                        "the motors of '" + names_[follower.joint] + "' act by tendons, but " + obstacle +
+                            ": it has a value of its own",
+                        "a chain with all joints, without 'frictionloss', has the motors' values");
+  }
+  context_->followers = std::move(kept);
+}
+
+/// Adds the motors that joints follow.
+void TreeReader::take_motors(model::Robot& robot) {
+  if (motors_.empty()) return;
+  free_from_motors(robot);
   for (Follower& follower : context_->followers) {
-    const auto motors = motors_.find(follower.joint);
-    const bool has_motors = motors != motors_.end();
-    if (has_motors &&
-        (limbs_may_lack_some || !std::all_of(motors->second.begin(), motors->second.end(), is_whole))) {
-      context_->warning(
-          follower.place,
-          "the motors of '" + names_[follower.joint] +
-              "' act by tendons on joints that are not all in one open chain: it has a value of its own",
-          "take a chain with all of them, if there is one, to have the motors' values");
-      continue;
-    }
-    if (has_motors)
+    if (const auto motors = motors_.find(follower.joint); motors != motors_.end())
       for (const TendonMotor& motor : motors->second) add_motor(motor, robot);
     for (model::Lead& lead : follower.leaders)
       if (const auto known = motor_variables_.find(lead.variable); known != motor_variables_.end())
         lead.variable = known->second;
-    kept.push_back(std::move(follower));
   }
-  context_->followers = std::move(kept);
 }
 
 const Segment& TreeReader::segment_of(std::size_t node) {

@@ -47,7 +47,10 @@ class TreeReader {
   void add_joint(const Segment& segment, const Standing& before, model::Robot& robot);
   model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const;
   void note_mimic(const MovingJoint& joint, std::size_t index);
-  void take_motors(model::Robot& robot, bool limbs_may_lack_some);
+  void take_motors(model::Robot& robot);
+  [[nodiscard]] bool rubs(const std::string& name, const model::Robot& robot) const;
+  [[nodiscard]] std::string obstacle_of_motors(const Follower& follower, const model::Robot& robot) const;
+  void free_from_motors(const model::Robot& robot);
   void add_motor(const TendonMotor& motor, model::Robot& robot);
   void check_ends(model::Robot& robot) const;
   void leave_out_partial_inertia(model::Robot& robot) const;

@@ -17,6 +17,13 @@ std::string text_of(const Element& element, const std::string& key) {
 /// The name of a tendon's length in sums with joints, which no joint has.
 std::string key_of(const std::string& tendon) { return "\n" + tendon; }
 
+bool has_loops(const Element& root) {
+  return std::any_of(root.children.begin(), root.children.end(), [](const Element& section) {
+    return section.name == "equality" &&
+           std::any_of(section.children.begin(), section.children.end(), is_loop);
+  });
+}
+
 /// A tendon with what its class gives it.
 Element completed_tendon(Context& context, const MjcfModel& model, Element tendon) {
   tendon.name = "tendon";
@@ -120,19 +127,23 @@ void MjcfCouplings::read_tendons(const Element& element) {
   add(follower, relation);
 }
 
+/// Returns a joint in terms of joints that follow none: itself, if it follows none; nothing if it is
+/// reported.
+std::optional<MjcfCouplings::Followed> MjcfCouplings::in_leaders(const std::string& joint) {
+  if (joints_.count(joint) == 0) return std::nullopt;
+  if (relations_.count(joint) == 0) return Followed{{{joint, 1}}, {}};
+  std::set<std::string> above;
+  const Followed* found = followed(joint, above);
+  if (found != nullptr) return *found;
+  wrong_.insert(joint);
+  return std::nullopt;
+}
+
 std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::string& tendon) {
   Followed length;
   for (const auto& [joint, factor] : joints_of_tendon(tendon, nullptr)) {
-    if (joints_.count(joint) == 0) return std::nullopt;
-    std::set<std::string> above;
-    const bool is_free = relations_.count(joint) == 0;
-    const Followed* own = is_free ? nullptr : followed(joint, above);
-    if (!is_free && own == nullptr) {
-      wrong_.insert(joint);
-      return std::nullopt;
-    }
-    if (is_free) length.sum[joint] = length.sum[joint] + factor;
-    if (is_free) continue;
+    const auto own = in_leaders(joint);
+    if (!own) return std::nullopt;
     length.offset.add(factor, own->offset);
     for (const auto& [name, share] : own->sum) length.sum[name] = length.sum[name] + factor * share;
   }
@@ -143,11 +154,7 @@ std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::strin
 
 /// Ties joints to the motors of tendons. With loops, beside which no joint follows another, none.
 void MjcfCouplings::read_motors(const MjcfModel& model) {
-  const auto has_loops = [](const Element& section) {
-    return section.name == "equality" &&
-           std::any_of(section.children.begin(), section.children.end(), is_loop);
-  };
-  if (std::any_of(model.root.children.begin(), model.root.children.end(), has_loops)) return;
+  if (has_loops(model.root)) return;
   const auto actuators = actuators_of(model.root, "tendon");
   std::map<std::string, Sum> lengths;
   for (const auto& [tendon, actuator] : actuators) {
@@ -167,6 +174,7 @@ void MjcfCouplings::read_motors(const MjcfModel& model) {
 
 namespace {
 
+/// True if the length of the only tendon is the value of its only joint.
 bool is_the_joint(const TendonGroup& group) {
   if (group.relations.size() != 1) return false;
   const JointSum& only = group.relations.begin()->second;
@@ -181,30 +189,33 @@ std::string list_of(const std::set<std::string>& names) {
 
 }  // namespace
 
+/// Says that joints of a group have values of their own.
+void MjcfCouplings::tell_of_group(const TendonGroup& group,
+                                  const std::map<std::string, const Element*>& actuators) {
+  for (const std::string& key : group.tendons) {
+    const std::string tendon = key.substr(1);
+    context_->warning(actuators.at(tendon)->place,
+                      "the motor of the tendon '" + tendon + "' moves " + list_of(group.joints) +
+                          ", which motors do not tell apart: each has a value of its own",
+                      "its force acts on a joint by the tendon's 'coef'");
+  }
+}
+
 /// Ties the joints of a group. A single joint whose value is the tendon's length stays as it is.
 void MjcfCouplings::add_group(const MjcfModel& model, const TendonGroup& group,
                               const std::map<std::string, const Element*>& actuators) {
+  if (group.relations.empty()) return tell_of_group(group, actuators);
+  if (is_the_joint(group)) return;
+  const MjcfNumbers numbers(*context_, model.settings);
+  const bool turns = MjcfNumbers::is_hinge(joints_.at(*group.joints.begin())->element);
   for (const std::string& key : group.tendons) {
     const std::string tendon = key.substr(1);
-    const Element& actuator = *actuators.at(tendon);
-    const Element& fixed = *tendons_.at(tendon);
-    if (group.relations.empty())
-      context_->warning(actuator.place,
-                        "the motor of the tendon '" + tendon + "' moves " + list_of(group.joints) +
-                            ", which motors do not tell apart: each has a value of its own",
-                        "its force acts on a joint by the tendon's 'coef'");
-    if (group.relations.empty() || is_the_joint(group)) continue;
-    const MjcfNumbers numbers(*context_, model.settings);
-    const bool turns = MjcfNumbers::is_hinge(joints_.at(*group.joints.begin())->element);
-    motors_.at(key).motor = {key,
-                             numbers.tendon_motor(completed_tendon(*context_, model, fixed), tendon, turns),
-                             group.joints, actuator.place};
+    const Element completed = completed_tendon(*context_, model, *tendons_.at(tendon));
+    motors_.at(key).motor = {key, numbers.tendon_motor(completed, tendon, turns), group.joints,
+                             actuators.at(tendon)->place};
   }
-  if (is_the_joint(group)) return;
-  for (const auto& [joint, sum] : group.relations) {
-    const Element& actuator = *actuators.at(group.tendons.front().substr(1));
-    add(joint, {actuator.place, &actuator, sum, {}});
-  }
+  const Element& actuator = *actuators.at(group.tendons.front().substr(1));
+  for (const auto& [joint, sum] : group.relations) add(joint, {actuator.place, &actuator, sum, {}});
 }
 
 void MjcfCouplings::add(const std::string& follower, Relation relation) {

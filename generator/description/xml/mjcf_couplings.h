@@ -40,6 +40,7 @@ class MjcfCouplings {
   void add(const std::string& follower, Relation relation);
   [[nodiscard]] Sum joints_of_tendon(const std::string& name, std::string* last);
   void read_motors(const MjcfModel& model);
+  void tell_of_group(const TendonGroup& group, const std::map<std::string, const Element*>& actuators);
   void add_group(const MjcfModel& model, const TendonGroup& group,
                  const std::map<std::string, const Element*>& actuators);
   /// A value of the form a + b pi: sums of such do not grow.
@@ -57,6 +58,7 @@ class MjcfCouplings {
   [[nodiscard]] Value in_pose(const std::string& joint) const;
   [[nodiscard]] Value constant_of(const std::string& joint, const Relation& relation) const;
   static Value value_of(const model::Expression& expression);
+  std::optional<Followed> in_leaders(const std::string& joint);
   /// A tendon's length as a sum of joints that follow none; nothing if there are none, or it is reported.
   std::optional<Followed> length_of(const std::string& tendon);
   /// The motor of a tendon, and the joints that its group has.
