@@ -22,6 +22,20 @@ struct LimitedRates : JointRates {
   bool limited = false;
 };
 
+/// Rates by the runtime's templates; rates.h has the definitions, which are compiled once for each number of
+/// joints.
+template <int dof>
+struct RatesOf {
+  using VectorXd = Eigen::VectorXd;
+  using Twist = Eigen::Matrix<double, 6, 1>;
+  using Jacobian = Eigen::Matrix<double, 6, dof>;
+  static JointRates of_the_whole(const Jacobian& jacobian, const VectorXd& twist);
+  static LimitedRates scaled(const InverseVelocity<double, dof>& rates, const VectorXd& lower,
+                             const VectorXd& upper);
+  static LimitedRates within(const Jacobian& jacobian, const VectorXd& twist, const VectorXd& lower,
+                             const VectorXd& upper);
+};
+
 /// The generated functions of one robot behind one type; geometry is that of the defaults.
 struct RobotUnderTest {
   using Vector = Eigen::VectorXd;

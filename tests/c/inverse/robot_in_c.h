@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Inverse kinematics in C behind the types of the C++ ones: sets are read by the same code for all functions
+// of a robot, rows by the same for all robots.
 #pragma once
 
 #include <array>
@@ -46,27 +48,42 @@ inline int& most_others() {
 
 inline std::array<double, 4> wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
+inline Row row_of(const double* q, int dof, int branch, int continuum) {
+  return {Eigen::Map<const Eigen::VectorXd>(q, dof), branch, continuum != 0};
+}
+
+/// A C set of solutions, `count` as it was returned beside it.
+template <class Solutions>
+Found found_of(const Solutions& set, int count, int dof) {
+  Found found{
+      static_cast<Status>(set.status), {}, {set.effort.passes, set.effort.steps, set.effort.used_up != 0}};
+  if (count != set.count) throw std::logic_error("a count is not that of its set");
+  for (int i = 0; i < count; ++i)
+    found.rows.push_back(row_of(set.rows[i].q, dof, set.rows[i].branch, set.rows[i].continuum));
+  return found;
+}
+
 /// `call` fills in a C set of solutions.
 template <class Solutions, class Call>
 Found found_in_c(int dof, const Call& call) {
   Solutions set;
   std::memset(static_cast<void*>(&set), 0x7f, sizeof set);
   const int count = call(&set);
-  Found found{
-      static_cast<Status>(set.status), {}, {set.effort.passes, set.effort.steps, set.effort.used_up != 0}};
-  if (count != set.count) throw std::logic_error("a count is not that of its set");
-  for (int i = 0; i < count; ++i)
-    found.rows.push_back({Eigen::Map<const Eigen::VectorXd>(set.rows[i].q, dof), set.rows[i].branch,
-                          set.rows[i].continuum != 0});
-  return found;
+  return found_of(set, count, dof);
+}
+
+inline void replace_values(char* numbers, const char* const* names, std::size_t count,
+                           const reference::Values& values) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto value = values.find(names[i]); value != values.end())
+      std::memcpy(numbers + i * sizeof(double), &value->second, sizeof(double));
 }
 
 /// Constants of the description but for those that are given by name.
-template <class Geometry, class Names>
-Geometry geometry_in_c(Geometry geometry, const Names& names, const reference::Values& values) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (const auto value = values.find(names[i]); value != values.end())
-      std::memcpy(reinterpret_cast<char*>(&geometry) + i * sizeof(double), &value->second, sizeof(double));
+template <class Geometry, std::size_t count>
+Geometry geometry_in_c(Geometry geometry, const std::array<const char*, count>& names,
+                       const reference::Values& values) {
+  replace_values(reinterpret_cast<char*>(&geometry), names.data(), count, values);
   return geometry;
 }
 
