@@ -129,6 +129,18 @@ TEST(Compact, FewZerosAreSetOneByOne) {
             "auto& r0=result;r0(0,0)=r0(2,2)=r0(1,1)=Scalar(0);r0(0,1)=r0(1,0)=t0");
 }
 
+TEST(Compact, ReferencesToSinesAreShort) {
+  const std::vector<std::string> lines =
+      emit::compact_angles({"const Scalar &s5 = angles.sine[0], &c12 = angles.cosine[10];",
+                            "const Scalar &s_0 = angles.sine[3];", "// s_0: of theta1/2 - pi/4"});
+  const std::vector<std::string> expected{"const auto& s=angles.sine;", "const auto& c=angles.cosine;",
+                                          "const Scalar &s5=s[0],&c12=c[10],&s_0=s[3];",
+                                          "// s_0: of theta1/2 - pi/4"};
+  EXPECT_EQ(lines, expected);
+  EXPECT_EQ(emit::compact_angles({"const Scalar &c1 = angles.cosine[0];"}).size(), 2U);
+  EXPECT_TRUE(emit::compact_angles({}).empty());
+}
+
 TEST(Compact, AScalarHasNoOtherName) {
   EXPECT_EQ(emit::compact_statements({{"result", "Scalar(0)"}}), "result=Scalar(0)");
 }

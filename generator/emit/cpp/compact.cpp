@@ -143,6 +143,11 @@ std::string filled(const std::vector<std::string>& pieces, char separator, std::
   return result;
 }
 
+/// A declaration of all, without a semicolon.
+std::string declared(const std::string& type, const std::vector<std::string>& values) {
+  return type + filled(values, ',', indent + type.size());
+}
+
 /// A place of a result, its name and its index: "result.by_rate" and "(3, 4)".
 struct Place {
   std::string object, index;
@@ -229,8 +234,31 @@ Code compact(const Code& code) {
 std::string compact_declarations(const Code& compact) {
   std::vector<std::string> values;
   for (const auto& [name, expression] : compact.temporaries) values.push_back(name + "=" + expression);
-  const std::string head = "const Scalar ";
-  return head + filled(values, ',', indent + head.size());
+  return declared("const Scalar ", values);
+}
+
+std::vector<std::string> compact_angles(const std::vector<std::string>& lines) {
+  std::vector<std::string> references, notes;
+  for (const std::string& line : lines)
+    if (line.starts_with("//"))
+      notes.push_back(line);
+    else
+      for (std::size_t at = line.find('&'); at != std::string::npos; at = line.find('&', at + 1))
+        references.push_back(line.substr(at, line.find(']', at) + 1 - at));
+  std::vector<std::string> result;
+  for (const std::string array : {"sine", "cosine"}) {
+    const std::string usual = " = angles." + array + "[", name = array.substr(0, 1);
+    bool is_used = false;
+    for (std::string& reference : references)
+      if (const std::size_t at = reference.find(usual); at != std::string::npos) {
+        reference.replace(at, usual.size(), "=" + name + "[");
+        is_used = true;
+      }
+    if (is_used) result.push_back("const auto& " + name + "=angles." + array + ";");
+  }
+  if (!references.empty()) result.push_back(declared("const Scalar ", references) + ";");
+  result.insert(result.end(), notes.begin(), notes.end());
+  return result;
 }
 
 std::string compact_statements(const std::vector<Assignment>& assignments) {

@@ -22,6 +22,9 @@ Code compact(const Code& code);
 /// Returns one declaration of all temporaries of compact code, without a semicolon.
 std::string compact_declarations(const Code& compact);
 
+/// Returns references to sines and cosines, lines of `sine_cosine_declarations`, in fewer bytes.
+std::vector<std::string> compact_angles(const std::vector<std::string>& lines);
+
 /// Returns the statements that bring values of compact code to their places, without the last semicolon.
 std::string compact_statements(const std::vector<Assignment>& assignments);
 

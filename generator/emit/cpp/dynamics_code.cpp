@@ -226,8 +226,10 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
   const auto [set_up, code] = dynamics_code(robot, function, angles);
   const std::vector<std::string> places =
       places_of(interface.result, model::coordinate_count(robot), code.outputs.size());
+  const bool in_few_bytes = bytes_count(robot, code);
+  const std::vector<std::string> named = sine_cosine_declarations(robot, function.function, angles);
   const Body body =
-      bytes_count(robot, code)
+      in_few_bytes
           ? compact_body_of(dynamics_code(robot, function, angles, plain_cpp(), compact_inline).code, places)
           : body_of(code, places);
   const Arguments arguments = arguments_of(robot, interface, scalar);
@@ -246,7 +248,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"constant_count", set_up.outputs.size()},
               {"set_up", values_of(set_up.temporaries)},
               {"stored", values_of(set_up.outputs)},
-              {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
+              {"named_angles", lines_of(in_few_bytes ? compact_angles(named) : named)},
               {"declarations", lines_of(body.declarations)},
               {"statements", lines_of(body.statements)}};
   values.update(load_values(robot, interface, scalar));

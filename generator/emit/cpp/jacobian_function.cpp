@@ -72,9 +72,10 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");
-  values["named_angles"] = lines_of(sine_cosine_declarations(robot, function.optimised.function, angles));
-  const Body body =
-      bytes_count(robot, code) ? compact_body_of(code, function.targets) : body_of(code, function.targets);
+  const bool in_few_bytes = bytes_count(robot, code);
+  const std::vector<std::string> named = sine_cosine_declarations(robot, function.optimised.function, angles);
+  values["named_angles"] = lines_of(in_few_bytes ? compact_angles(named) : named);
+  const Body body = in_few_bytes ? compact_body_of(code, function.targets) : body_of(code, function.targets);
   values["declarations"] = lines_of(body.declarations);
   values["statements"] = lines_of(body.statements);
   values["last_statements"] = json::array();
