@@ -28,8 +28,9 @@ std::vector<Assignment> assignments(const std::vector<std::string>& targets,
   return list;
 }
 
-Code straight_code(const dag::Function& function, const ast::Leaves& leaves, const ast::Printer& language) {
-  return code_of(ast::straight(function, leaves), language);
+Code straight_code(const dag::Function& function, const ast::Leaves& leaves, const ast::Printer& language,
+                   int longest_inline) {
+  return code_of(ast::straight(function, leaves, longest_inline), language);
 }
 
 }  // namespace qvgen::emit

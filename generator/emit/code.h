@@ -33,6 +33,7 @@ std::vector<Assignment> assignments(const std::vector<std::string>& targets,
 Code code_of(const ast::Straight& code, const ast::Printer& language);
 
 /// Writes a graph down.
-Code straight_code(const dag::Function& function, const ast::Leaves& leaves, const ast::Printer& language);
+Code straight_code(const dag::Function& function, const ast::Leaves& leaves, const ast::Printer& language,
+                   int longest_inline = ast::usual_inline);
 
 }  // namespace qvgen::emit

@@ -152,7 +152,7 @@ std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::strin
   return length;
 }
 
-/// Ties joints to the motors of tendons. With loops, beside which no joint follows another, none.
+/// Ties joints to the motors of tendons. Beside loops they move none.
 void MjcfCouplings::read_motors(const MjcfModel& model) {
   if (has_loops(model.root)) return;
   const auto actuators = actuators_of(model.root, "tendon");

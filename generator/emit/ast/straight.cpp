@@ -12,14 +12,12 @@ namespace {
 using dag::Edge;
 using dag::Op;
 
-/// Inner nodes written inline in one expression before it gets a name of its own.
-constexpr int longest_inline = 4;
-
 class Converter {
  public:
-  Converter(const dag::Function& function, const Leaves& leaves)
+  Converter(const dag::Function& function, const Leaves& leaves, int longest_inline)
       : graph_(function.graph),
         leaves_(leaves),
+        longest_inline_(longest_inline),
         uses_(graph_.size(), 0),
         value_(graph_.size()),
         length_(graph_.size(), 0) {
@@ -46,7 +44,7 @@ class Converter {
     if (is_leaf(node.op)) return;
     length_[id] = 1;
     for (const Edge& operand : node.operands) length_[id] += length_[operand.node];
-    if (uses_[id] < 2 && length_[id] <= longest_inline) return;
+    if (uses_[id] < 2 && length_[id] <= longest_inline_) return;
     const std::string name = "t" + std::to_string(result_.temporaries.size());
     result_.temporaries.push_back({name, std::move(value_[id])});
     value_[id] = ast::name(name, {"real"});
@@ -114,6 +112,7 @@ class Converter {
 
   const dag::Graph& graph_;
   const Leaves& leaves_;
+  int longest_inline_;
   std::vector<int> uses_;
   Expressions value_;
   std::vector<int> length_;
@@ -122,8 +121,8 @@ class Converter {
 
 }  // namespace
 
-Straight straight(const dag::Function& function, const Leaves& leaves) {
-  return Converter(function, leaves).convert(function);
+Straight straight(const dag::Function& function, const Leaves& leaves, int longest_inline) {
+  return Converter(function, leaves, longest_inline).convert(function);
 }
 
 bool mentions(const Straight& code, const std::string& name) {

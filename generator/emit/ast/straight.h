@@ -27,9 +27,12 @@ struct Straight {
   std::vector<Value> outputs;
 };
 
+/// Operations written inline in one expression before it gets a name of its own.
+inline constexpr int usual_inline = 4;
+
 /// Converts a graph. A value used more than once, or too long to read inline, becomes a temporary `t0, t1,
 /// ...`; sums begin with a positive term. The result depends on the graph's structure alone.
-Straight straight(const dag::Function& function, const Leaves& leaves);
+Straight straight(const dag::Function& function, const Leaves& leaves, int longest_inline = usual_inline);
 
 /// True if an expression of the code names it.
 bool mentions(const Straight& code, const std::string& name);

@@ -7,17 +7,23 @@
 #include <string_view>
 
 #include "emit/cpp/tidy.h"
+#include "model/coordinates.h"
 
 namespace qvgen::emit {
 namespace {
 
 /// More than any arm's function has.
 constexpr std::size_t many_values = 700;
-constexpr std::size_t values_together = 64;
+/// Robots of more joints are whole ones, or limbs from their base on.
+constexpr std::size_t most_joints_of_an_arm = 8;
 /// A number that is used less often is not worth a name.
 constexpr int fewest_uses = 3;
-/// A matrix with fewer zeros, compared with its other entries, gets them one by one.
-constexpr std::size_t entries_a_zero = 3;
+/// A matrix with a larger part of other entries gets zeros one by one: set twice they would cost
+/// instructions.
+constexpr std::size_t zeros_an_entry = 3;
+
+/// Spaces in front of a function's statements.
+constexpr std::size_t indent = 2;
 
 constexpr std::string_view begin_of_number = "Scalar(";
 constexpr std::string_view zero = "Scalar(0)";
@@ -107,23 +113,39 @@ Code with_short_names(Code code) {
   return code;
 }
 
-/// Leaves out spaces but those between two signs.
+/// Leaves out spaces, but not between two signs or two words.
 std::string without_spaces(const std::string& text) {
+  const auto needed = [&](std::size_t at) {
+    if (at == 0 || at + 1 == text.size()) return false;
+    const char before = text[at - 1], behind = text[at + 1];
+    return before == behind || (continues_word(before) && continues_word(behind));
+  };
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at)
-    if (text[at] != ' ' || (at + 1 < text.size() && !result.empty() && result.back() == text[at + 1]))
-      result += text[at];
+    if (text[at] != ' ' || needed(at)) result += text[at];
   return result;
 }
 
-std::vector<Code::Value> together(const std::vector<Code::Value>& values) {
-  std::vector<Code::Value> result;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (i % values_together == 0)
-      result.push_back(values[i]);
-    else
-      result.back().expression += ", " + values[i].name + "=" + values[i].expression;
+/// Pieces with a separator between them, in lines that begin at the margin; the first one goes on behind so
+/// many characters.
+std::string filled(const std::vector<std::string>& pieces, char separator, std::size_t first) {
+  std::string result;
+  std::size_t length = first;
+  for (const std::string& piece : pieces) {
+    if (!result.empty()) result += separator;
+    length += piece.size() + 1;
+    if (length > line_width && !result.empty()) {
+      result += '\n';
+      length = piece.size() + 1;
+    }
+    result += piece;
+  }
   return result;
+}
+
+/// A declaration of all, without a semicolon.
+std::string declared(const std::string& type, const std::vector<std::string>& values) {
+  return type + filled(values, ',', indent + type.size());
 }
 
 /// A place of a result, its name and its index: "result.by_rate" and "(3, 4)".
@@ -179,9 +201,7 @@ class Objects {
     std::string path, name;
     bool entries;
     std::size_t all = 0, zeros = 0;
-    [[nodiscard]] bool begins_as_zero() const {
-      return entries && zeros * entries_a_zero >= all && zeros > 0;
-    }
+    [[nodiscard]] bool begins_as_zero() const { return entries && zeros > zeros_an_entry * (all - zeros); }
   };
 
   [[nodiscard]] std::vector<Object>::const_iterator find(const std::string& path) const {
@@ -201,29 +221,69 @@ class Objects {
 
 }  // namespace
 
-bool has_many_values(const Code& code) { return code.temporaries.size() >= many_values; }
+bool bytes_count(const model::Robot& robot, const Code& code) {
+  return code.temporaries.size() >= many_values || model::coordinate_count(robot) > most_joints_of_an_arm;
+}
 
 Code compact(const Code& code) {
   Code result = with_short_names(with_named_numbers(code));
   for_each_expression(result, [](std::string& text) { text = without_spaces(text); });
-  result.temporaries = together(result.temporaries);
   return result;
 }
 
-std::vector<std::string> compact_statements(const std::vector<Assignment>& assignments) {
+std::string compact_declarations(const Code& compact) {
+  std::vector<std::string> values;
+  for (const auto& [name, expression] : compact.temporaries) values.push_back(name + "=" + expression);
+  return declared("const Scalar ", values);
+}
+
+std::vector<std::string> compact_angles(const std::vector<std::string>& lines) {
+  std::vector<std::string> references, notes;
+  for (const std::string& line : lines)
+    if (line.starts_with("//"))
+      notes.push_back(line);
+    else
+      for (std::size_t at = line.find('&'); at != std::string::npos; at = line.find('&', at + 1))
+        references.push_back(line.substr(at, line.find(']', at) + 1 - at));
+  std::vector<std::string> result;
+  for (const std::string array : {"sine", "cosine"}) {
+    const std::string usual = " = angles." + array + "[", name = array.substr(0, 1);
+    bool is_used = false;
+    for (std::string& reference : references)
+      if (const std::size_t at = reference.find(usual); at != std::string::npos) {
+        reference.replace(at, usual.size(), "=" + name + "[");
+        is_used = true;
+      }
+    if (is_used) result.push_back("const auto& " + name + "=angles." + array + ";");
+  }
+  if (!references.empty()) result.push_back(declared("const Scalar ", references) + ";");
+  result.insert(result.end(), notes.begin(), notes.end());
+  return result;
+}
+
+std::string compact_statements(const std::vector<Assignment>& assignments) {
   const Objects objects(assignments);
   std::vector<std::string> statements = objects.statements();
-  for (const Assignment& assignment : assignments) statements.push_back(objects.assigned(assignment));
-  const std::size_t longest = line_width - 3;  // indented by two, with a semicolon
-  std::vector<std::string> lines;
-  for (const std::string& statement : statements) {
-    if (statement.empty()) continue;
-    if (lines.empty() || lines.back().size() + 1 + statement.size() > longest)
-      lines.push_back(statement);
-    else
-      lines.back() += ";" + statement;
-  }
-  return lines;
+  for (const Assignment& assignment : assignments)
+    if (const std::string statement = objects.assigned(assignment); !statement.empty())
+      statements.push_back(statement);
+  return filled(statements, ';', indent);
+}
+
+Body body_of(const Code& code, const std::vector<std::string>& places) {
+  Body body;
+  for (const auto& [name, expression] : code.temporaries)
+    body.declarations.push_back("const Scalar " + name + " = " + expression);
+  for (const auto& [targets, expression] : assignments(places, code.outputs))
+    body.statements.push_back(targets + " = " + expression);
+  return body;
+}
+
+Body compact_body_of(const Code& code, const std::vector<std::string>& places) {
+  const Code shorter = compact(code);
+  Body body{{compact_declarations(shorter)}, {compact_statements(assignments(places, shorter.outputs))}};
+  if (shorter.temporaries.empty()) body.declarations.clear();
+  return body;
 }
 
 }  // namespace qvgen::emit

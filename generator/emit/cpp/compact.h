@@ -1,21 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Functions of thousands of values, as humanoids have them, in half as many bytes: numbers that come back
+// Functions of robots of many joints, humanoids among them, in half as many bytes: numbers that come back
 // have names, names are short, no spaces stand between operators, one declaration has many values, and zeros
 // are set at once. What is computed stays the same, bit for bit. Example: `const Scalar t800 = t7 *
 // Scalar(0.5);` becomes `w4=t7*n3` in a list.
 #pragma once
 
 #include "emit/code.h"
+#include "model/robot.h"
 
 namespace qvgen::emit {
 
-/// True if code has so many values that bytes count, as no arm's function has.
-bool has_many_values(const Code& code);
+/// True if a robot has so many coordinates, or a function so many values, that bytes count.
+bool bytes_count(const model::Robot& robot, const Code& code);
 
-/// Returns code of C++ in fewer bytes. `temporaries` are declarations that go on behind a comma.
+/// Operations written inline in one expression of compact code.
+inline constexpr int compact_inline = 8;
+
+/// Returns code of C++ in fewer bytes: short names, no spaces.
 Code compact(const Code& code);
 
-/// Returns the statements that assign values of compact code to `result`, several a line.
-std::vector<std::string> compact_statements(const std::vector<Assignment>& assignments);
+/// Returns one declaration of all temporaries of compact code, without a semicolon.
+std::string compact_declarations(const Code& compact);
+
+/// Returns references to sines and cosines, lines of `sine_cosine_declarations`, in fewer bytes.
+std::vector<std::string> compact_angles(const std::vector<std::string>& lines);
+
+/// Returns the statements that bring values of compact code to their places, without the last semicolon.
+std::string compact_statements(const std::vector<Assignment>& assignments);
+
+/// Declarations and statements of a function, a line or more each, without semicolons.
+struct Body {
+  std::vector<std::string> declarations, statements;
+};
+
+/// The body that brings the outputs to their places, a line for each value, or compact.
+Body body_of(const Code& code, const std::vector<std::string>& places);
+Body compact_body_of(const Code& code, const std::vector<std::string>& places);
 
 }  // namespace qvgen::emit

@@ -53,13 +53,6 @@ Constants constants_of(const Optimised& function) {
   return result;
 }
 
-/// Statements that bring the outputs to their places.
-std::vector<std::string> statements_of(const std::vector<Assignment>& assignments) {
-  std::vector<std::string> list;
-  for (const auto& [targets, expression] : assignments) list.push_back(targets + " = " + expression);
-  return list;
-}
-
 ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                       const Known& constants) {
   Known known = constants;
@@ -220,19 +213,25 @@ std::string dynamics_doc(const model::Robot& robot, const Optimised& function,
 }
 
 DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
-                           const std::vector<dag::Angle>& angles, const ast::Printer& language) {
+                           const std::vector<dag::Angle>& angles, const ast::Printer& language,
+                           int longest_inline) {
   const Constants constants = constants_of(function);
-  return {straight_code(constants.stored, set_up_leaves(robot), language),
-          straight_code(function.function, leaves_of(robot, angles, constants.value), language)};
+  return {
+      straight_code(constants.stored, set_up_leaves(robot), language),
+      straight_code(function.function, leaves_of(robot, angles, constants.value), language, longest_inline)};
 }
 
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
-  const auto [set_up, as_it_is] = dynamics_code(robot, function, angles);
-  const bool many = has_many_values(as_it_is);
-  const Code code = many ? compact(as_it_is) : as_it_is;
-  const std::vector<Assignment> assigned = assignments(
-      places_of(interface.result, model::coordinate_count(robot), code.outputs.size()), code.outputs);
+  const auto [set_up, code] = dynamics_code(robot, function, angles);
+  const std::vector<std::string> places =
+      places_of(interface.result, model::coordinate_count(robot), code.outputs.size());
+  const bool in_few_bytes = bytes_count(robot, code);
+  const std::vector<std::string> named = sine_cosine_declarations(robot, function.function, angles);
+  const Body body =
+      in_few_bytes
+          ? compact_body_of(dynamics_code(robot, function, angles, plain_cpp(), compact_inline).code, places)
+          : body_of(code, places);
   const Arguments arguments = arguments_of(robot, interface, scalar);
   const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},
@@ -249,9 +248,9 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"constant_count", set_up.outputs.size()},
               {"set_up", values_of(set_up.temporaries)},
               {"stored", values_of(set_up.outputs)},
-              {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
-              {"temporaries", values_of(code.temporaries)},
-              {"statements", lines_of(many ? compact_statements(assigned) : statements_of(assigned))}};
+              {"named_angles", lines_of(in_few_bytes ? compact_angles(named) : named)},
+              {"declarations", lines_of(body.declarations)},
+              {"statements", lines_of(body.statements)}};
   values.update(load_values(robot, interface, scalar));
   return values;
 }

@@ -52,7 +52,8 @@ struct DynamicsCode {
   Code code;
 };
 DynamicsCode dynamics_code(const model::Robot& robot, const optimise::Optimised& function,
-                           const std::vector<dag::Angle>& angles, const ast::Printer& language = plain_cpp());
+                           const std::vector<dag::Angle>& angles, const ast::Printer& language = plain_cpp(),
+                           int longest_inline = ast::usual_inline);
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                           const ast::Printer& language = plain_cpp());
 

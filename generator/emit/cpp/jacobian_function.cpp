@@ -7,6 +7,7 @@
 #include "derive/jacobian/rates.h"
 #include "emit/code.h"
 #include "emit/cpp/angles.h"
+#include "emit/cpp/compact.h"
 #include "emit/leaves.h"
 #include "emit/template_values.h"
 #include "model/followers.h"
@@ -42,13 +43,6 @@ std::string selection(const std::vector<dag::Angle>& angles, const std::vector<d
   return text;
 }
 
-json assignment_values(const JacobianFunction& function, const Code& code) {
-  json list = json::array();
-  for (const auto& [targets, expression] : assignments(function.targets, code.outputs))
-    list.push_back({{"target", targets}, {"expression", expression}});
-  return list;
-}
-
 }  // namespace
 
 std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions) {
@@ -78,9 +72,12 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");
-  values["named_angles"] = lines_of(sine_cosine_declarations(robot, function.optimised.function, angles));
-  values["temporaries"] = values_of(code.temporaries);
-  values["assignments"] = assignment_values(function, code);
+  const bool in_few_bytes = bytes_count(robot, code);
+  const std::vector<std::string> named = sine_cosine_declarations(robot, function.optimised.function, angles);
+  values["named_angles"] = lines_of(in_few_bytes ? compact_angles(named) : named);
+  const Body body = in_few_bytes ? compact_body_of(code, function.targets) : body_of(code, function.targets);
+  values["declarations"] = lines_of(body.declarations);
+  values["statements"] = lines_of(body.statements);
   values["last_statements"] = json::array();
   if (!function.last_statement.empty())
     values["last_statements"].push_back({{"statement", function.last_statement}});

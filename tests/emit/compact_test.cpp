@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Compact code is the same code: with its names put back and without spaces it reads as what it was made of.
+#include "emit/cpp/compact.h"
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace qvgen;
+
+std::vector<std::string> split(std::string text, char at) {
+  text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == at)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::string without_spaces(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
+}
+
+/// Replaces each word that has a text.
+std::string replaced(const std::string& text, const std::map<std::string, std::string>& texts) {
+  std::string result, word;
+  for (const char c : text + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    const auto known = texts.find(word);
+    result += (known == texts.end() ? word : known->second) + c;
+    word.clear();
+  }
+  return result.substr(0, result.size() - 1);
+}
+
+/// A function of so many values, each of two before it, numbers and arguments.
+emit::Code random_code(std::size_t count, std::mt19937& random) {
+  const auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+  };
+  const auto operand = [&](std::size_t before) -> std::string {
+    const std::size_t kind = below(4);
+    if (kind == 0) return "Scalar(" + std::to_string(below(9)) + "e-0" + std::to_string(below(9)) + ")";
+    if (kind == 1 || before == 0) return below(2) == 0 ? "s" + std::to_string(below(9)) : "qd[3]";
+    return "t" + std::to_string(below(before));
+  };
+  emit::Code code;
+  const std::vector<std::string> operators{" + ", " - ", " * ", " / ", " - -"};
+  for (std::size_t i = 0; i < count; ++i)
+    code.temporaries.push_back({"t" + std::to_string(i), operand(i) + operators[below(5)] + operand(i)});
+  for (std::size_t i = 0; i < 9; ++i) code.outputs.push_back({"o", operand(count)});
+  return code;
+}
+
+TEST(Compact, ReadsAsBeforeWithItsNamesPutBack) {
+  std::mt19937 random(1);
+  for (const std::size_t count : {1U, 2U, 40U, 700U, 3000U, 30000U}) {
+    const emit::Code code = random_code(count, random);
+    const emit::Code compact = emit::compact(code);
+    const std::string text = emit::compact_declarations(compact);
+    std::vector<std::string> values = split(text.substr(std::string("const Scalar ").size()), ',');
+    std::map<std::string, std::string> texts;
+    std::size_t next = 0;
+    for (const std::string& value : values) {
+      const std::size_t middle = value.find('=');
+      const std::string name = value.substr(0, middle), expression = value.substr(middle + 1);
+      const bool is_number = name[0] == 'n';
+      EXPECT_TRUE(texts.emplace(name, is_number ? expression : code.temporaries[next].name).second) << name;
+      EXPECT_LE(name.size(), 4U);
+      if (is_number) continue;
+      ASSERT_EQ(without_spaces(replaced(expression, texts)),
+                without_spaces(code.temporaries[next].expression));
+      ++next;
+    }
+    EXPECT_EQ(next, count);
+    for (std::size_t i = 0; i < code.outputs.size(); ++i)
+      EXPECT_EQ(without_spaces(replaced(compact.outputs[i].expression, texts)),
+                without_spaces(code.outputs[i].expression));
+  }
+}
+
+TEST(Compact, LinesAreAsLongAsOthers) {
+  std::mt19937 random(2);
+  const std::string text = emit::compact_declarations(emit::compact(random_code(3000, random)));
+  for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
+    EXPECT_LE(end - begin + (begin == 0 ? 2 : 0), 120U);
+  }
+}
+
+TEST(Compact, NumbersThatComeBackHaveNames) {
+  const emit::Code compact = emit::compact(
+      {{{"t0", "Scalar(0.5) * q[0]"}, {"t1", "Scalar(0.5) * t0 - Scalar(2)"}}, {{"o", "Scalar(0.5) * t1"}}});
+  EXPECT_EQ(emit::compact_declarations(compact), "const Scalar n0=Scalar(0.5),t0=n0*q[0],u0=n0*t0-Scalar(2)");
+  EXPECT_EQ(compact.outputs[0].expression, "n0*u0");
+}
+
+TEST(Compact, SpacesBetweenSignsAndWordsStay) {
+  const std::string root = "[](const Scalar& operand) { using std::sqrt; return sqrt(operand); }(t0)";
+  const emit::Code compact = emit::compact({{{"t0", "a - -b"}}, {{"o", root}}});
+  EXPECT_EQ(compact.temporaries[0].expression, "a- -b");
+  EXPECT_EQ(compact.outputs[0].expression,
+            "[](const Scalar&operand){using std::sqrt;return sqrt(operand);}(t0)");
+}
+
+TEST(Compact, ManyZerosAreSetAtOnce) {
+  EXPECT_EQ(emit::compact_statements(
+                {{"result.m(0, 0) = result.m(1, 1) = result.m(2, 2) = result.m(3, 3)", "Scalar(0)"},
+                 {"result.m(0, 1)", "t0"},
+                 {"result.v[0]", "t1"}}),
+            "auto& r0=result.m;r0.setZero();auto& r1=result.v;r0(0,1)=t0;r1[0]=t1");
+}
+
+/// Setting them at once and the others again would take more instructions.
+TEST(Compact, FewZerosAreSetOneByOne) {
+  EXPECT_EQ(emit::compact_statements({{"result(0, 0) = result(2, 2) = result(1, 1)", "Scalar(0)"},
+                                      {"result(0, 1) = result(1, 0)", "t0"}}),
+            "auto& r0=result;r0(0,0)=r0(2,2)=r0(1,1)=Scalar(0);r0(0,1)=r0(1,0)=t0");
+}
+
+TEST(Compact, ReferencesToSinesAreShort) {
+  const std::vector<std::string> lines =
+      emit::compact_angles({"const Scalar &s5 = angles.sine[0], &c12 = angles.cosine[10];",
+                            "const Scalar &s_0 = angles.sine[3];", "// s_0: of theta1/2 - pi/4"});
+  const std::vector<std::string> expected{"const auto& s=angles.sine;", "const auto& c=angles.cosine;",
+                                          "const Scalar &s5=s[0],&c12=c[10],&s_0=s[3];",
+                                          "// s_0: of theta1/2 - pi/4"};
+  EXPECT_EQ(lines, expected);
+  EXPECT_EQ(emit::compact_angles({"const Scalar &c1 = angles.cosine[0];"}).size(), 2U);
+  EXPECT_TRUE(emit::compact_angles({}).empty());
+}
+
+TEST(Compact, AScalarHasNoOtherName) {
+  EXPECT_EQ(emit::compact_statements({{"result", "Scalar(0)"}}), "result=Scalar(0)");
+}
+
+}  // namespace
