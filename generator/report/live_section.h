@@ -11,8 +11,7 @@
 
 namespace qvgen::report {
 
-/// What scripts take to move an arm, with its functions; `lacking` says why there is nothing, if it is not
-/// empty.
+/// An arm for the scripts that move it, with its functions. If there is nothing, `lacking` says why.
 struct LiveArm {
   nlohmann::json data;
   InverseCall inverse;

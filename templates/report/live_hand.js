@@ -1,6 +1,6 @@
 // Moves by hand: pointer, keys, buttons, and paths that it starts.
 
-/// What is drawn and dragged. Subclasses have `view`, `camera`, `target`, `moveTarget`, `handleAt` and `draw`.
+/// A picture that is dragged. Subclasses have `view`, `camera`, `target`, `moveTarget`, `handleAt` and `draw`.
 class ByHand {
   held = -1;  // 0: the target's ball, 1 to 3: the tip of an axis
 

@@ -48,13 +48,15 @@ class LiveWhole extends ByHand {
     this.base = { r: identity(), p: [0, 0, 0] };
     this.chosen = 0;  // the limb that is dragged, -1: the base
     const canvas = document.getElementById("live-canvas");
-    this.camera = new Camera(2 * Math.max(...arms.map((arm) => arm.data.size)));
+    const points = this.skeletons().flatMap((skeleton) => skeleton.points);
+    this.camera = new Camera(1);
+    const { centre, wide, high } = extent(points, this.camera.right, this.camera.up);
+    Object.assign(this.camera, { centre, size: Math.max(wide, high) });
     this.view = new View(canvas, this.camera);
-    this.view.radius /= 2;
+    this.view.radius *= 0.6;  // a whole robot has more joints than an arm
     this.all = document.getElementById("live-all");
     this.showJoints = jointSliders(document.getElementById("live-joints"), this.joints, (i, value) => this.moveJoint(i, value)).show;
     this.carryTargets();
-    this.camera.centre = extent(this.skeletons().flatMap(({ points }) => points), this.camera.right, this.camera.up).centre;
     listenToHand(this, canvas);
     this.redraw();
   }
@@ -109,7 +111,7 @@ class LiveWhole extends ByHand {
     return this.limbs.filter((limb, i) => limb.gap(this.tip(limb), this.targets[i]) > 1e-6 * limb.arm.data.size);
   }
 
-  /// Where each target, and the base, may be taken hold of.
+  /// The handles of each target, and of the base, by the limb's place, -1 for the base.
   heldPlaces() {
     const places = this.limbs.map((limb, i) => [i, this.view.handles(this.targets[i]).slice(0, limb.handles)]);
     return this.data.floating ? [...places, [-1, this.view.handles(this.base)]] : places;

@@ -18,8 +18,8 @@ namespace {
 using derive::dynamics::DriveRegressor;
 using reference::Chain;
 
-/// Of those on a base that stands still some are refused: a slide that is oblique to gravity or to turns has
-/// columns that no rational numbers relate.
+/// How many trees are tried. On a base that stands still some are refused: a slide that is oblique to gravity
+/// or to turns has columns that no rational numbers relate.
 constexpr unsigned trees = 24;
 
 double sign(double x) { return x < 0 ? -1 : 1; }

@@ -232,7 +232,7 @@ def test_a_base_that_floats(tmp_path):
     description.write_text(f'<robot name="satellite"><link name="body">{inertial}</link><link name="arm">{inertial}</link>'
                            '<joint name="shoulder" type="continuous"><parent link="body"/><child link="arm"/>'
                            '<origin xyz="0 0.3 0"/><axis xyz="0 1 0"/></joint></robot>')
-    robot = qvgen.load(description, "--only", "dynamics", floating=True)
+    robot = qvgen.load(description, "--only", "dynamics,mass", floating=True)
     assert (robot.dof, robot.velocity_size) == (1, 7)
     random = np.random.default_rng(3)
     q, qd, qdd = random.uniform(-1, 1, (5, 8)), random.uniform(-1, 1, (5, 7)), random.uniform(-1, 1, (5, 7))
@@ -243,6 +243,13 @@ def test_a_base_that_floats(tmp_path):
     parts = np.einsum("nij,nj->ni", mass, qdd) + robot.coriolis_torque(q, qd) + robot.gravity_torque(q)
     np.testing.assert_allclose(torque, parts, atol=1e-11)
     np.testing.assert_allclose(robot.momentum_matrix(q), mass[:, :6], atol=1e-13)
+    np.testing.assert_allclose(robot.inverse_dynamics_with_gravity_vector(q, qd, qdd, [0, 0, -9.80665]), torque, atol=1e-13)
+    weight = robot.gravity_torque_with_gravity_vector(q, [1, 2, 3])
+    force = np.linalg.norm(weight[:, :3], axis=1)
+    np.testing.assert_allclose(force, robot.total_mass() * np.sqrt(14), atol=1e-12)  # a force against the whole weight
+    step = 1e-6 * qd
+    change = robot.centre_of_mass(robot.integrated(q, step)) - robot.centre_of_mass(robot.integrated(q, -step))
+    np.testing.assert_allclose(np.einsum("nij,nj->ni", robot.centre_of_mass_jacobian(q), qd), change / 2e-6, atol=1e-8)
     moved = robot.integrated(q, 0.1 * qd)
     np.testing.assert_allclose(robot.difference(q, moved), 0.1 * qd, atol=1e-14)
     with pytest.raises(ValueError, match="q has the shape"):

@@ -132,7 +132,7 @@ Function function_of(const model::Robot& robot, const optimise::Optimised& from)
   return function;
 }
 
-/// The same function for gravity along -z.
+/// A function for gravity along -z: it calls the one for any direction.
 Function under_usual_gravity(const model::Robot& robot, const optimise::Optimised& from) {
   const DynamicsInterface interface = dynamics_interface(from.name);
   const std::vector<Parameter> parameters = parameters_of(robot, interface, from.function.outputs.size());
