@@ -30,10 +30,11 @@ void expect_rows(const Matrix& expected, const double* found) {
     for (Eigen::Index k = 0; k < expected.cols(); ++k) EXPECT_EQ(expected(i, k), *found++);
 }
 
-/// Likewise but for the rounding of sines, which grows towards dead centres.
+/// Likewise but for whole turns, and for the rounding of sines, which grows towards dead centres.
 template <class Matrix>
 void expect_close(const Matrix& expected, const double* found) {
-  for (Eigen::Index i = 0; i < expected.size(); ++i) EXPECT_NEAR(expected(i), found[i], 1e-9);
+  for (Eigen::Index i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(std::remainder(expected(i) - found[i], 2 * M_PI), 0, 1e-9);
 }
 
 TEST(LoopsInC, AreThoseOfCxx) {
