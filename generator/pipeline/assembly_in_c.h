@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assemblies of closed loops in C99: the plans that assembly.cpp has in C++, by the printer and the blocks of
-// the inverse kinematics in C, with the bits of C++.
+// the inverse kinematics in C. Sines are those of the C library.
 #pragma once
 
 #include <string>

@@ -57,19 +57,6 @@ static void put_near(Assembled* found, const double* seed, const bool* is_given)
   sort_rows(found->rows.rows, found->rows.count, squares);
 }
 
-/// Writes rows, at most that many. Returns how many there are.
-static int write_assemblies(const Assembled* found, int rows, double (*q)[dof], int* branches, int* meets, int* status) {
-  *status = found->rows.status;
-  const int count = found->rows.count < capacity ? found->rows.count : capacity;
-  for (int k = 0; k < rows && k < count; ++k) {
-    const Row* row = &found->rows.rows[k];
-    memcpy(q[k], row->q, sizeof row->q);
-    if (branches != NULL) branches[k] = row->branch;
-    if (meets != NULL) meets[k] = found->meeting[row->branch] ? 1 : 0;
-  }
-  return found->rows.count;
-}
-
 /// The largest absolute value; NaN if there is one.
 static double largest_of(const double* numbers, int count) {
   double largest = 0;
