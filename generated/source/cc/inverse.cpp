@@ -198,7 +198,7 @@ bool lacks_a_length(const Target& t) {
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<6>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<6>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
   return true;

@@ -212,7 +212,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance,
     const inverse::WantedRows& wanted) {
   if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
-  const Target t = given(g, tolerance, inverse::zero_preference<6>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<6>);
   inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
 
   return count;
@@ -221,7 +221,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<6>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<6>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
   return true;

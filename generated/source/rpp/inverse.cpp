@@ -151,7 +151,7 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
   return true;

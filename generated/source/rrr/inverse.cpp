@@ -180,7 +180,7 @@ bool lacks_a_length(const Target& t) {
 inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance,
     const inverse::WantedRows& wanted) {
   if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
   if (count.found == 0) count.rows = -1;
   return count;
@@ -189,7 +189,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
   return true;

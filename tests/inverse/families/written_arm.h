@@ -8,6 +8,7 @@
 #include "check.h"
 #include "paths.h"
 #include "pieces.h"
+#include "rows_within.h"
 #include "search.h"
 #include "unsolved.h"
 
@@ -78,6 +79,27 @@ class WrittenArm : public Inverse {
     EXPECT_LE(told, 1 + singular / 50);
   }
 
+  /// Expects the joints that are the seed first within limits, at singular poses, next to them and where they
+  /// are singular but for rounding; or a row that is marked. The seed may be lost where it is without limits.
+  void expect_the_seed_first_within_limits() {
+    EXPECT_EQ(rows_within(GetParam().name).size(), 2U);
+    for (const auto& [language, call] : rows_within(GetParam().name)) {
+      int asked = 0, lost = 0;
+      for (const char* name : {"theta5 = 0", "theta5 = pi", "theta5 = 10^-u", "a joint at 10^-u"})
+        for (int i = 0; i < pose_count() / 20; ++i)
+          if (const std::optional<Sample> sample = draw(pose_set(name), i)) {
+            ++asked;
+            lost += loses_the_seed(call, *sample) ? 1 : 0;
+          }
+      for (int i = 0; i < pose_count() / 10; ++i) {
+        ++asked;
+        lost += loses_the_seed(call, straight_but_for_rounding()) ? 1 : 0;
+      }
+      EXPECT_GT(asked, 0);
+      EXPECT_LE(lost, 1 + asked / 200) << GetParam().name << " in " << language;
+    }
+  }
+
   /// As for the robots in tests/inverse/paths_test.cpp.
   void expect_no_jumps_next_to_a_seed() {
     int paths = 0, faults = 0;
@@ -124,6 +146,24 @@ class WrittenArm : public Inverse {
   }
 
  private:
+  /// A wrist is 10^-14 to 10^-10 rad off the straight pose.
+  Sample straight_but_for_rounding() {
+    Eigen::VectorXd q = test().joints();
+    const double off = std::pow(10, -test().uniform(10, 14));
+    q[test().dof() - 2] = (test().uniform(-1, 1) < 0 ? 0 : pi) - off;
+    return sample_at(test(), q);
+  }
+
+  bool loses_the_seed(const RowsWithin& call, const Sample& sample) {
+    const Eigen::VectorXd& q = sample.q;
+    const Found found = call(sample.pose, test().given(q), q, q.array() - 1, q.array() + 1);
+    const auto is_far = [&](const Found& rows) {
+      return rows.rows.empty() || test().distance(rows.rows[0].q, q) > 2e-3;
+    };
+    return is_far(found) && (found.rows.empty() || !found.rows[0].continuum) &&
+           !is_far(test().robot().solve_from(sample.pose, test().given(q), q));
+  }
+
   Eigen::VectorXd start(double given) {
     Eigen::VectorXd q = test().joints();
     if (GetParam().info.given_joint >= 0) q[GetParam().info.given_joint] = given;
