@@ -562,6 +562,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+  Solutions regular;
+  if (detail::all::regular_rows_of(pose, g, tolerance, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
+  }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
@@ -611,6 +616,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)
@@ -650,6 +656,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -680,6 +687,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Vector3<double>& positio
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
@@ -714,6 +722,11 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
     return none;
+  }
+  SolutionsGiven_theta3 regular;
+  if (detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -767,6 +780,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
   if (nearest.status == Status::invalid)

@@ -365,13 +365,12 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<6>& prefer
   return found;
 }
 
-/// Returns the nearest of all solutions where it is near, rounding decides nothing and no joint is free: lanes follow all
-/// branches in the time of two. None elsewhere, and where there are no lanes.
+/// Returns the nearest of all solutions where it is near, rounding decides nothing and no joint is free: lanes follow
+/// all branches in the time of two. None elsewhere, and where there are no lanes.
 NearSolution nearest_in_lanes(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
   Rows all;
-  if (solve_in_lanes == nullptr || !inverse::machine_has_avx2()
-      || !regular_rows_of(pose, g, tolerance, all)) return {};
+  if (solve_in_lanes == nullptr || !inverse::machine_has_avx2() || !regular_rows_of(pose, g, tolerance, all)) return {};
   return inverse::nearest_of_all(all, seed, is_revolute);
 }
 
