@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -80,9 +81,10 @@ class WrittenArm : public Inverse {
   }
 
   /// Expects the joints that are the seed first within limits, at singular poses, next to them and where they
-  /// are singular but for rounding; or a row that is marked. The seed may be lost where it is without limits.
+  /// are singular but for rounding; or a row that is marked. Where two things are singular at once the seed
+  /// may be lost.
   void expect_the_seed_first_within_limits() {
-    EXPECT_EQ(rows_within(GetParam().name).size(), 2U);
+    EXPECT_FALSE(rows_within(GetParam().name).empty());
     for (const auto& [language, call] : rows_within(GetParam().name)) {
       int asked = 0, lost = 0;
       for (const char* name : {"theta5 = 0", "theta5 = pi", "theta5 = 10^-u", "a joint at 10^-u"})
@@ -93,10 +95,10 @@ class WrittenArm : public Inverse {
           }
       for (int i = 0; i < pose_count() / 10; ++i) {
         ++asked;
-        lost += loses_the_seed(call, straight_but_for_rounding()) ? 1 : 0;
+        lost += loses_the_seed(call, straight_but_for_rounding(1 + i % (test().dof() - 2))) ? 1 : 0;
       }
       EXPECT_GT(asked, 0);
-      EXPECT_LE(lost, 1 + asked / 200) << GetParam().name << " in " << language;
+      EXPECT_LE(lost, 1 + asked / 100) << GetParam().name << " in " << language;
     }
   }
 
@@ -146,22 +148,28 @@ class WrittenArm : public Inverse {
   }
 
  private:
-  /// A wrist is 10^-14 to 10^-10 rad off the straight pose.
-  Sample straight_but_for_rounding() {
+  /// The value of a joint at which the axes before and behind it are as near to each other as they come.
+  double straight(Eigen::VectorXd q, int joint) {
+    q[joint] = 0;
+    const Eigen::MatrixXd axes = reference::jacobian(test().chain(), q).bottomRows(3);
+    const Eigen::Vector3d axis = axes.col(joint), before = axes.col(joint - 1), behind = axes.col(joint + 1);
+    const Eigen::Vector3d from = behind.cross(axis), to = before.cross(axis);
+    return std::atan2(axis.dot(from.cross(to)), from.dot(to));
+  }
+  /// A joint is 10^-14 to 10^-10 rad off such a value, or off the opposite one.
+  Sample straight_but_for_rounding(int joint) {
     Eigen::VectorXd q = test().joints();
     const double off = std::pow(10, -test().uniform(10, 14));
-    q[test().dof() - 2] = (test().uniform(-1, 1) < 0 ? 0 : pi) - off;
+    q[joint] = straight(q, joint) + (test().uniform(-1, 1) < 0 ? 0 : pi) - off;
+    q[joint] = std::remainder(q[joint], 2 * pi);
     return sample_at(test(), q);
   }
 
   bool loses_the_seed(const RowsWithin& call, const Sample& sample) {
     const Eigen::VectorXd& q = sample.q;
     const Found found = call(sample.pose, test().given(q), q, q.array() - 1, q.array() + 1);
-    const auto is_far = [&](const Found& rows) {
-      return rows.rows.empty() || test().distance(rows.rows[0].q, q) > 2e-3;
-    };
-    return is_far(found) && (found.rows.empty() || !found.rows[0].continuum) &&
-           !is_far(test().robot().solve_from(sample.pose, test().given(q), q));
+    if (found.rows.empty()) return true;
+    return test().distance(found.rows[0].q, q) > 2e-3 && !found.rows[0].continuum;
   }
 
   Eigen::VectorXd start(double given) {
