@@ -221,7 +221,7 @@ static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const
   Nearest row;
   start_nearest(&row);
   row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
-  // Where the equations are sure of their row it stays, if it is the same but for rounding.
+  // A row of which the equations are sure stays, if it is the same but for rounding.
   if (is_sure && row.count > 0 && found->count > 0 && are_one_row(row.row.q, found->row.q))
     found->effort.steps += row.effort.steps;
   else

@@ -31,8 +31,7 @@ constexpr std::size_t room_of_wanted(int dof, int capacity) {
 }
 
 struct RowCount {
-  int rows;  ///< -1: rounding may have decided what exists, or the pose is invalid; of wanted rows: or
-             ///< something is free
+  int rows;        ///< -1: rounding may have decided, the pose is invalid or, of wanted rows, leaves a choice
   bool continuum;  ///< one of them is marked
   int found = 0;   ///< of wanted rows: 0 if there are none at all
 };

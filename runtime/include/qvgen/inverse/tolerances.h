@@ -147,8 +147,8 @@ inline constexpr double between = 0.6;
 /// How far along an idle joint a continuum is looked for: far beyond half the digits, rad or share of the
 /// size.
 inline constexpr double way_along = 1e-2;
-/// A row leaves its continuum by half the digits at most, and the pose by as much a radian along it: five times
-/// that.
+/// A row leaves its continuum by half the digits at most, and the pose by as much a radian along it: five
+/// times that.
 inline constexpr double off_continuum = digits(1e-6);
 /// Ways that are off by a hundred times what is allowed to first order are not followed: they may be curved.
 inline constexpr double off_to_first_order = 100;
