@@ -342,7 +342,8 @@ TYPED_TEST(LimitsNearSingularPoses, NextToASeedIsTheNearestOfAll) {
   EXPECT_GT(inside, 10);
 }
 
-/// Law: next to a singular wrist the joints that are the seed come first, whatever rounding makes of the row.
+/// Law: next to a singular wrist the joints that are the seed come first, within limits too, whatever
+/// rounding makes of the row.
 TYPED_TEST(LimitsNearSingularPoses, TheSeedComesFirst) {
   using Arm = TypeParam;
   NearSingular<Arm> samples(6);
@@ -352,13 +353,41 @@ TYPED_TEST(LimitsNearSingularPoses, TheSeedComesFirst) {
     if (is_doubly_singular<Arm>(sample.q)) continue;
     const auto found = Arm::inverse(Arm::forward(sample.q), sample.q);
     const auto near = Arm::near(Arm::forward(sample.q), sample.q);
-    ASSERT_FALSE(found.empty() || near.empty());
+    const auto within = Arm::inverse(Arm::forward(sample.q), sample.q, sample.limits);
+    ASSERT_FALSE(found.empty() || near.empty() || within.empty());
     ++asked;
+    missing += (within[0].q - sample.q).norm() > 2e-3 ? 1 : 0;
     missing += qvgen::joint_distance<Arm::dof>(found[0].q, sample.q, Arm::revolute) > 2e-3 ? 1 : 0;
     missing += qvgen::joint_distance<Arm::dof>(near[0].q, sample.q, Arm::revolute) > 2e-3 ? 1 : 0;
   }
   EXPECT_GT(asked, 1000);
   EXPECT_LE(missing, 2);
+}
+
+/// Next to no seed there is nothing, whether or not the pose is in reach.
+TYPED_TEST(LimitsNearSingularPoses, ASeedThatIsNotFiniteIsInvalid) {
+  using Arm = TypeParam;
+  auto sample = NearSingular<Arm>(9).draw();
+  for (const double distance : {0.0, 1e3})
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL})
+      for (int i = 0; i < Arm::dof; ++i) {
+        auto pose = Arm::forward(sample.q);
+        pose.position.x() += distance;
+        auto seed = sample.q;
+        seed[i] = value;
+        const auto found = Arm::inverse(pose, seed, sample.limits);
+        EXPECT_TRUE(found.empty() && found.status == qvgen::Status::invalid) << i << ": " << value;
+      }
+}
+
+/// A seed so far away that the squares of distances overflow chooses no row, and loses none.
+TYPED_TEST(LimitsNearSingularPoses, ASeedFarAwayLosesNoRow) {
+  using Arm = TypeParam;
+  auto sample = NearSingular<Arm>(9).draw();
+  sample.limits = {Arm::Row::Constant(-4), Arm::Row::Constant(4)};
+  const auto pose = Arm::forward(Arm::Row::Constant(0.7));
+  const auto found = Arm::inverse(pose, typename Arm::Row(Arm::Row::Constant(1e200)), sample.limits);
+  EXPECT_EQ(found.size(), Arm::inverse(pose).size());
 }
 
 /// A joint on its limit is not lost by rounding, and is returned on it.

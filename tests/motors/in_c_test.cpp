@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/linear_algebra.h"
+
 namespace qvgen::test {
 namespace {
 
@@ -85,6 +87,30 @@ TYPED_TEST(InC, AllRowsAreThoseOfCxx) {
     expect_same(TypeParam::solve(q, pose), found, 1e-9);
     expect_same(TypeParam::solve(q, pose, seed), by_seed, 1e-9);
   }
+}
+
+/// Law: at a wrist that is straight, or nearly, or but for rounding, the motors that are the seed come first,
+/// in C++ and in C.
+TEST(NestedWrist, WithinLimitsTheSeedComesFirst) {
+  NestedInC arm;
+  std::mt19937 random{9};
+  std::uniform_real_distribution<double> exponent(6, 15);
+  const NestedInC::Vector far = NestedInC::Vector::Constant(12);
+  int lost = 0;
+  for (int k = 0; k < 500; ++k) {
+    NestedInC::Vector joints = arm.random_motors(random, 2);
+    joints[4] = k % 5 == 0 ? 0 : std::pow(10, -exponent(random));
+    const NestedInC::Vector q = reference::inverse(arm.coupling) * joints;
+    const auto pose = NestedInC::pose(q);
+    const JointLimits<6> limits{-far, far};
+    const auto cxx = NestedInC::solve(q, pose, q, limits);
+    const auto c = in_cxx<NestedInC>(
+        ask<NestedInC>(NestedInC::within, q, pose, q.data(), limits.lower.data(), limits.upper.data()));
+    ASSERT_FALSE(cxx.empty() || c.empty());
+    lost += (cxx[0].q - q).norm() > 5e-3 ? 1 : 0;
+    lost += (c[0].q - q).norm() > 5e-3 ? 1 : 0;
+  }
+  EXPECT_LE(lost, 2) << "of 1000";
 }
 
 TYPED_TEST(InC, RowsWithinLimitsNextToASeedHaveTheBitsOfCxx) {

@@ -226,7 +226,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
     const inverse::WantedRows& wanted) {
   if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()
       || !std::isfinite(given_theta3)) return inverse::without_lanes;
-  const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<7>, given_theta3);
   inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
 
   return count;
@@ -236,7 +236,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
   if (!std::isfinite(given_theta3)) return false;
-  const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<7>, given_theta3);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
   return true;
@@ -396,6 +396,16 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<7>& prefer
   return found;
 }
 
+/// Returns the nearest of all solutions where it is near, rounding decides nothing and no joint is free: lanes follow
+/// all branches in the time of two. None elsewhere, and where there are no lanes.
+NearSolution nearest_in_lanes(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance, double given_theta3) {
+  Rows all;
+  if (solve_in_lanes == nullptr || !inverse::machine_has_avx2()
+      || !regular_rows_of(pose, g, tolerance, given_theta3, all)) return {};
+  return inverse::nearest_of_all(all, seed, is_revolute);
+}
+
 /// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<7>& preference, const Geometry& g, double tolerance, double given_theta3) {
@@ -427,6 +437,11 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
     return none;
+  }
+  SolutionsGiven_theta3 regular;
+  if (detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -483,6 +498,11 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
     NearSolution none;
     none.status = Status::invalid;
     return none;
+  }
+  if (NearSolution found = detail::given_theta3::nearest_in_lanes(pose, seed, g, tolerance,
+      given_theta3); !found.empty()) {
+    found[0].q[2] = given_theta3;
+    return found;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);

@@ -394,6 +394,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
@@ -443,6 +444,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)

@@ -171,7 +171,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance,
     const inverse::WantedRows& wanted) {
   if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
 
   return count;
@@ -180,7 +180,7 @@ inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, do
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
   return true;
@@ -305,6 +305,15 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<3>& prefer
   return found;
 }
 
+/// Returns the nearest of all solutions where it is near, rounding decides nothing and no joint is free: lanes follow
+/// all branches in the time of two. None elsewhere, and where there are no lanes.
+NearSolution nearest_in_lanes(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
+    double tolerance) {
+  Rows all;
+  if (solve_in_lanes == nullptr || !inverse::machine_has_avx2() || !regular_rows_of(pose, g, tolerance, all)) return {};
+  return inverse::nearest_of_all(all, seed, is_revolute);
+}
+
 /// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<3>& preference, const Geometry& g, double tolerance) {
@@ -334,6 +343,7 @@ Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -362,6 +372,7 @@ NearSolution inverse_kinematics_near(const Vector3<double>& position, const Join
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
@@ -393,6 +404,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     Solutions none;
     none.status = Status::invalid;
     return none;
+  }
+  Solutions regular;
+  if (detail::all::regular_rows_of(pose, g, tolerance, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
   }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -446,6 +462,9 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     NearSolution none;
     none.status = Status::invalid;
     return none;
+  }
+  if (NearSolution found = detail::all::nearest_in_lanes(pose, seed, g, tolerance); !found.empty()) {
+    return found;
   }
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);

@@ -276,6 +276,7 @@ Solutions inverse_kinematics(const Direction<double>& task, const JointVector<do
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, Vector3<double>(0, 0, 1),
       inverse::tool_of<dof>(arm, seed).orientation);
@@ -305,6 +306,7 @@ NearSolution inverse_kinematics_near(const Direction<double>& task, const JointV
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, Vector3<double>(0, 0, 1),
       inverse::tool_of<dof>(arm, seed).orientation);
@@ -341,6 +343,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const auto preference = inverse::row_preference<3, dof>(seed);
   Solutions found = inverse::reaching<3, dof, 3>(pose, arm, tolerance, preference,

@@ -172,7 +172,7 @@ bool lacks_a_length(const Target& t) {
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
   return true;
@@ -416,7 +416,7 @@ bool lacks_a_length(const Target& t) {
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
   if (!std::isfinite(given_theta3)) return false;
-  const Target t = given(g, tolerance, inverse::zero_preference<3>, given_theta3);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>, given_theta3);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
   return true;
@@ -571,6 +571,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+  Solutions regular;
+  if (detail::all::regular_rows_of(pose, g, tolerance, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
+  }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
@@ -620,6 +625,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)
@@ -659,6 +665,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -689,6 +696,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Vector3<double>& positio
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
@@ -723,6 +731,11 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
     return none;
+  }
+  SolutionsGiven_theta3 regular;
+  if (detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -776,6 +789,7 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
   if (nearest.status == Status::invalid)

@@ -151,7 +151,7 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<3>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
 
   return true;
@@ -295,6 +295,7 @@ Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -323,6 +324,7 @@ NearSolution inverse_kinematics_near(const Vector3<double>& position, const Join
     none.status = Status::invalid;
     return none;
   }
+
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
@@ -354,6 +356,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     Solutions none;
     none.status = Status::invalid;
     return none;
+  }
+  Solutions regular;
+  if (detail::all::regular_rows_of(pose, g, tolerance, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
   }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -404,6 +411,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)

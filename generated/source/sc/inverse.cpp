@@ -197,7 +197,7 @@ bool lacks_a_length(const Target& t) {
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
 /// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
-  const Target t = given(g, tolerance, inverse::zero_preference<6>);
+  const Target t = given(g, tolerance, inverse::nobodys_preference<6>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
   if (found.empty()) return false;
   return true;
@@ -359,6 +359,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+  Solutions regular;
+  if (detail::all::regular_rows_of(pose, g, tolerance, regular)) {
+    sort_by_distance(regular, seed, is_revolute);
+    return regular;
+  }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
@@ -408,6 +413,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)

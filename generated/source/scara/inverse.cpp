@@ -314,6 +314,7 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const JointVect
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   const auto preference = inverse::preference<dof>(seed);
@@ -341,6 +342,7 @@ NearSolution inverse_kinematics_near(const PositionAndYaw<double>& task, const J
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   const auto preference = inverse::preference<dof>(seed);
@@ -376,6 +378,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
+
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, preference,
@@ -415,6 +418,7 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     none.status = Status::invalid;
     return none;
   }
+
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
   if (nearest.status == Status::invalid)

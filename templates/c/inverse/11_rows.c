@@ -24,6 +24,15 @@ static void prefer_zero(Preference* preference) {
   preference->seeded = false;
 }
 
+/// Nobody's preference: a branch on which one would matter is doubtful, and has to be followed with one.
+static void prefer_nothing(Preference* preference) {
+  prefer_zero(preference);
+  for (int i = 0; i < row_size; ++i) {
+    preference->angle[i] = tolerance_farthest_joint;
+    preference->brief[i] = rotor(0, 0);
+  }
+}
+
 /// Preference with zero for virtual joints, which come behind the arm's own.
 static void prefer_seed(const double* seed, Preference* preference) {
   prefer_zero(preference);

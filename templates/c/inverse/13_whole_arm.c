@@ -204,13 +204,28 @@ static void row_from_seed(const Arm* whole, int points, const Pose* pose, const 
   row->effort = tracker.budget.spent;
 }
 
+/// True if two rows are one but for rounding: next to a double root half the digits are lost.
+static bool are_one_row(const double* a, const double* b) {
+  double square = 0;
+  for (int i = 0; i < dof; ++i) {
+    const double difference = a[i] - b[i];
+    const double off = is_revolute[i] ? without_turns(difference) : difference;
+    square += off * off;
+  }
+  return square < tolerance_same_rows * DBL_EPSILON;
+}
+
 /// Takes that row if it is nearer to the seed than what has been found.
 static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
                              double value, double tolerance, bool is_sure, Nearest* found) {
   Nearest row;
   start_nearest(&row);
   row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
-  take_nearer(&row, seed, found);
+  // A row of which the equations are sure stays, if it is the same but for rounding.
+  if (is_sure && row.count > 0 && found->count > 0 && are_one_row(row.row.q, found->row.q))
+    found->effort.steps += row.effort.steps;
+  else
+    take_nearer(&row, seed, found);
 }
 
 /// The first number that no row has.
@@ -223,17 +238,10 @@ static int free_branch(const Solutions* rows) {
   return rows->count;
 }
 
-/// True if a set has a row that is this one but for rounding: next to a double root half the digits are lost.
+/// True if a set has a row that is this one but for rounding.
 static bool has_row(const Solutions* found, const Row* row) {
-  for (int k = 0; k < found->count; ++k) {
-    double square = 0;
-    for (int i = 0; i < dof; ++i) {
-      const double difference = found->rows[k].q[i] - row->q[i];
-      const double off = is_revolute[i] ? without_turns(difference) : difference;
-      square += off * off;
-    }
-    if (square < tolerance_same_rows * DBL_EPSILON) return true;
-  }
+  for (int k = 0; k < found->count; ++k)
+    if (are_one_row(found->rows[k].q, row->q)) return true;
   return false;
 }
 

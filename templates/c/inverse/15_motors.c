@@ -315,9 +315,6 @@ static int rows_in_motors(Solutions* found) {
   return found->count;
 }
 
-/// True if no joint is free and no rounding decides: then a seed chooses nothing.
-static bool is_regular(const Solutions* found) { return found->status == status_solved && found->effort.passes == 0; }
-
 /// Keeps of each row the representative whose motors are nearest to the seed, if it has one inside the limits; the nearest row
 /// first.
 static int keep_within_motors(Solutions* found, const double* seed, const double* lower, const double* upper) {

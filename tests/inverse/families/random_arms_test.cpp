@@ -19,6 +19,7 @@ TEST_P(RandomArm, EveryPieceOfAContinuumHasARow) { expect_a_row_on_every_piece()
 
 TEST_P(RandomArm, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 TEST_P(RandomArm, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
+TEST_P(RandomArm, WithinLimitsTheSeedComesFirst) { expect_the_seed_first_within_limits(); }
 TEST_P(RandomArm, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_that_is_allowed(); }
 
 INSTANTIATE_TEST_SUITE_P(Arms, RandomArm, testing::ValuesIn(inverses()), name_of);

@@ -43,6 +43,7 @@ const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", rob
     [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
     [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
     {}, {}, {}, @NEAR@, @PITCH@}});
+const bool within = qvgen::test::rows_within("@NAME@").emplace("C++", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), qvgen::JointLimits<robot::dof>{lower, upper})); }).second;
 }
 }
 )";
@@ -76,6 +77,7 @@ qvgen::test::InverseFunctions functions() {
 @NEAR@@PITCH@  return all;
 }
 const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
+const bool within = qvgen::test::rows_within("@NAME@").emplace("C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); }).second;
 }
 }
 )";
@@ -219,7 +221,7 @@ int main(int argc, char** argv) {
     const std::uint32_t end = std::min(count, first + in_a_file);
     write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
     std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
-    file << "#include \"robot_in_c.h\"\n#include \"unsolved.h\"\n";
+    file << "#include \"robot_in_c.h\"\n#include \"rows_within.h\"\n#include \"unsolved.h\"\n";
     if (first == 0)
       file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 15) > 0; }\n";
     if (first == 0) file << "std::size_t qvgen::test::written_arms() { return " << count << "; }\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "check.h"
 #include "paths.h"
 #include "pieces.h"
+#include "rows_within.h"
 #include "search.h"
 #include "unsolved.h"
 
@@ -78,6 +80,28 @@ class WrittenArm : public Inverse {
     EXPECT_LE(told, 1 + singular / 50);
   }
 
+  /// Expects the joints that are the seed first within limits, at singular poses, next to them and where they
+  /// are singular but for rounding; or a row that is marked. Where two things are singular at once the seed
+  /// may be lost.
+  void expect_the_seed_first_within_limits() {
+    EXPECT_FALSE(rows_within(GetParam().name).empty());
+    for (const auto& [language, call] : rows_within(GetParam().name)) {
+      int asked = 0, lost = 0;
+      for (const char* name : {"theta5 = 0", "theta5 = pi", "theta5 = 10^-u", "a joint at 10^-u"})
+        for (int i = 0; i < pose_count() / 20; ++i)
+          if (const std::optional<Sample> sample = draw(pose_set(name), i)) {
+            ++asked;
+            lost += loses_the_seed(call, *sample) ? 1 : 0;
+          }
+      for (int i = 0; i < pose_count() / 10; ++i) {
+        ++asked;
+        lost += loses_the_seed(call, straight_but_for_rounding(1 + i % (test().dof() - 2))) ? 1 : 0;
+      }
+      EXPECT_GT(asked, 0);
+      EXPECT_LE(lost, 1 + asked / 100) << GetParam().name << " in " << language;
+    }
+  }
+
   /// As for the robots in tests/inverse/paths_test.cpp.
   void expect_no_jumps_next_to_a_seed() {
     int paths = 0, faults = 0;
@@ -124,6 +148,30 @@ class WrittenArm : public Inverse {
   }
 
  private:
+  /// The value of a joint at which the axes before and behind it are as near to each other as they come.
+  double straight(Eigen::VectorXd q, int joint) {
+    q[joint] = 0;
+    const Eigen::MatrixXd axes = reference::jacobian(test().chain(), q).bottomRows(3);
+    const Eigen::Vector3d axis = axes.col(joint), before = axes.col(joint - 1), behind = axes.col(joint + 1);
+    const Eigen::Vector3d from = behind.cross(axis), to = before.cross(axis);
+    return std::atan2(axis.dot(from.cross(to)), from.dot(to));
+  }
+  /// A joint is 10^-14 to 10^-10 rad off such a value, or off the opposite one.
+  Sample straight_but_for_rounding(int joint) {
+    Eigen::VectorXd q = test().joints();
+    const double off = std::pow(10, -test().uniform(10, 14));
+    q[joint] = straight(q, joint) + (test().uniform(-1, 1) < 0 ? 0 : pi) - off;
+    q[joint] = std::remainder(q[joint], 2 * pi);
+    return sample_at(test(), q);
+  }
+
+  bool loses_the_seed(const RowsWithin& call, const Sample& sample) {
+    const Eigen::VectorXd& q = sample.q;
+    const Found found = call(sample.pose, test().given(q), q, q.array() - 1, q.array() + 1);
+    if (found.rows.empty()) return true;
+    return test().distance(found.rows[0].q, q) > 2e-3 && !found.rows[0].continuum;
+  }
+
   Eigen::VectorXd start(double given) {
     Eigen::VectorXd q = test().joints();
     if (GetParam().info.given_joint >= 0) q[GetParam().info.given_joint] = given;

@@ -106,6 +106,7 @@ json entry(const Argument& argument, Filter filter, const std::string& suffix, c
           {"needs_arm_of_task", argument.needs_arm},
           {"follows_seed", cpp["follows_seed"]},
           {"looks", cpp["looks"]},
+          {"is_early", cpp["is_early"]},
           {"pose_lines", lines_of(argument.pose)}};
 }
 

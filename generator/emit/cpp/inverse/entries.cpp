@@ -160,6 +160,7 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
           {"is_early", is_early},
+          {"near_in_lanes", is_early && variant["nearest_in_lanes"].get<bool>()},
           {"in_lanes", is_early && variant["chooses_in_lanes"].get<bool>()},
           {"fits_limits", filter == Filter::none && argument.is_pose && variant["fits_limits"].get<bool>()},
           {"points", problem.task == Task::position ? 1 : 3},
@@ -180,6 +181,7 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
   variant["fits_limits"] = variant["joins_seed"].get<bool>() && !has_virtual_joints;
   variant["limits_early"] =
       variant["fits_limits"].get<bool>() && has_first_pass && problem.filter == Filter::none;
+  variant["nearest_in_lanes"] = variant["limits_early"].get<bool>() && variant["lanes"].is_object();
   variant["row_kinds"] = has_virtual_joints ? "row_is_revolute" : "is_revolute";
   variant["row_arm"] = row_arm(problem, has_virtual_joints,
                                "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");

@@ -35,9 +35,11 @@ class AlongContinuum {
 
   /// Moves a row of what may be a continuum to a place where all joints are inside, but for whole turns and
   /// rounding. Returns false, and leaves the row, if none has been found.
-  bool bring_inside(Joints<dof>& q, Effort& effort) {
+  bool bring_inside(Joints<dof>& q, bool is_marked, Effort& effort) {
     Budget ahead = most, back = most;
-    const bool found = press(q, near, ahead) || follow(1, q, ahead) || follow(-1, q, back);
+    Place start;
+    const bool found = press(q, near, ahead) || (begin(q, is_marked, start, ahead) &&
+                                                 (follow(1, start, q, ahead) || follow(-1, start, q, back)));
     effort.steps += ahead.spent.steps + back.spent.steps;
     return found;
   }
@@ -93,15 +95,21 @@ class AlongContinuum {
     std::size_t lead = joints;  ///< the joint that the others follow
   };
 
+  /// Finds where a row's continuum begins to lead. Returns false if it leads nowhere: a row that is not
+  /// marked may be one of two solutions that nearly meet.
+  bool begin(const Joints<dof>& q, bool is_marked, Place& start, Budget& budget) {
+    start.values = values_of(q);
+    if (!polish(task_, patience, start.values, start.at, budget) || !look(1, start)) return false;
+    return is_marked || is_idle(start.at, start.way, tolerance::off_continuum);
+  }
+
   /// In one direction. A budget that is used up ends the walk.
-  bool follow(double direction, Joints<dof>& q, Budget& budget) {
-    Place place;
-    place.values = values_of(q);
-    if (!polish(task_, patience, place.values, place.at, budget) || !look(direction, place)) return false;
-    const Values start = place.values;
+  bool follow(double direction, const Place& start, Joints<dof>& q, Budget& budget) {
+    Place place = start;
+    for (double& each : place.way) each *= direction;
     for (double gone = 0; gone < 4 * whole_turn; gone += longest) {
       if (enter(place, q, budget)) return true;
-      if (gone > 1 && distance_square(place.values, start) < longest * longest) return false;
+      if (gone > 1 && distance_square(place.values, start.values) < longest * longest) return false;
       if (!go(longest, place, budget)) return false;
     }
     return false;
@@ -142,7 +150,8 @@ class AlongContinuum {
     const bool turns_off = place.lead != joints && alignment(way, place.way) < 0.7;
     if (turns_off) {
       const Way onward = tangent(place.at, place.lead, place.way, direction);
-      if (is_idle(place.at, onward) && alignment(onward, place.way) > alignment(way, place.way)) {
+      if (is_idle(place.at, onward, tolerance::idle) &&
+          alignment(onward, place.way) > alignment(way, place.way)) {
         place.way = onward;
         return true;
       }
@@ -163,9 +172,8 @@ class AlongContinuum {
     return product / std::sqrt(square_a * square_b);
   }
 
-  /// True if joints that go so move the points next to nothing.
-  [[nodiscard]] bool is_idle(const At& at, const Way& way) const {
-    constexpr double next_to_nothing = tolerance::idle;
+  /// True if joints that go so move the points next to nothing, as a share of the size.
+  [[nodiscard]] bool is_idle(const At& at, const Way& way, double next_to_nothing) const {
     double square = 0;
     for (std::size_t k = 0; k < At::rows; ++k) {
       double sum = 0;
@@ -299,7 +307,7 @@ void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Joi
     Joints<dof> q = row.q;
     if (within.take(q)) continue;
     if (is_near_singular || row.continuum || straight.holds(row.q))
-      along.bring_inside(row.q, found.effort);
+      along.bring_inside(row.q, row.continuum, found.effort);
     else
       along.bring_back(row.q, found.effort);
   }

@@ -96,6 +96,12 @@ Mask<Scalar> is_blurred(const Scalar& square, const Scalar& noise) {
   return square <= Scalar(tolerance::blurred) * noise;
 }
 
+/// True if nobody prefers an angle, see `Preference::nobodys`: what is nearly free is then doubtful.
+template <typename Scalar>
+Mask<Scalar> is_nobodys(const Scalar& angle) {
+  return angle >= Scalar(tolerance::farthest_joint);
+}
+
 /// How much larger than what is noise for sure the square of a disc is that no rounding leaves: 8 times the
 /// radius.
 template <typename Scalar>
@@ -142,6 +148,8 @@ Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const
     return v;
   }
   if (!any(blurred)) return v;
+  // A choice without length is nobody's.
+  branch.doubt(blurred & (magnitude(brief_choice.cosine) + magnitude(brief_choice.sine) == Scalar(0)));
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
   const Scalar safe = select(is_free, Scalar(1), length);

@@ -13,6 +13,14 @@ struct Lane {
   static constexpr int value = number;
 };
 
+/// Numbers behind the joints of a row, the mark in the upper half's first byte.
+[[gnu::always_inline]] inline Pack row_end(const Branch<Pack>& branch, int label, int apart) {
+  const __m256i mark =
+      _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
+  const auto labels = reinterpret_cast<__m256i>(row_end(label, apart).vector());
+  return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
+}
+
 /// Writes lanes as rows, those that exist, one close behind the other: a row that does not exist is written
 /// too and overwritten by the next, so that there is no jump.
 template <int dof>

@@ -17,7 +17,7 @@ struct RowPlaces {
 struct WantedRows {
   const double* lower;  ///< limits
   const double* upper;
-  const double* seed;    ///< finite: next to it the representatives of angles are looked for
+  const double* seed;    ///< next to it the representatives of angles are looked for
   const bool* revolute;  ///< which joints may be turned by whole turns
   bool is_sorted;        ///< the nearest to the seed first; false: by branch
   double* room;          ///< `room_of_wanted` numbers
@@ -31,9 +31,9 @@ constexpr std::size_t room_of_wanted(int dof, int capacity) {
 }
 
 struct RowCount {
-  int rows;        ///< -1: rounding may have decided what exists, or the pose is invalid
+  int rows;        ///< -1: rounding may have decided, the pose is invalid or, of wanted rows, leaves a choice
   bool continuum;  ///< one of them is marked
-  int found = 0;   ///< of wanted rows: how many there are if all are wanted
+  int found = 0;   ///< of wanted rows: 0 if there are none at all
 };
 
 }  // namespace qvgen::inverse

@@ -262,6 +262,32 @@ void unwind(Solutions<dof, 1>& found, const Eigen::Matrix<double, dof, 1>& seed,
       if (revolute[static_cast<std::size_t>(i)]) row.q[i] = seed[i] + without_turns(row.q[i] - seed[i]);
 }
 
+/// Returns the row of all solutions that is nearest to the seed, with the seed's whole turns, if
+/// `follow_forks` leads to it, too; else none. Joints in pairs, for vectors of two.
+template <int dof, int capacity, std::size_t count>
+Solutions<dof, 1> nearest_of_all(const Solutions<dof, capacity>& all,
+                                 const Eigen::Matrix<double, dof, 1>& seed,
+                                 const std::array<bool, count>& revolute) {
+  using Row = Eigen::Array<double, (dof + 1) / 2 * 2, 1>;
+  Row per_turn = Row::Zero(), off = Row::Zero();
+  for (int i = 0; i < dof; ++i)
+    per_turn[i] = revolute[static_cast<std::size_t>(i)] ? 1 / constant::whole_turn : 0;
+  Solutions<dof, 1> nearest;
+  const Solution<dof>* best = nullptr;
+  double least = tolerance::nearest_by_forks;
+  for (const Solution<dof>& row : all) {
+    off.template head<dof>() = row.q.array() - seed.array();
+    const double square = (off - constant::whole_turn * nearest_whole(off * per_turn)).square().sum();
+    best = square < least ? &row : best;
+    least = square < least ? square : least;
+  }
+  if (best == nullptr) return nearest;
+  nearest.append() = *best;
+  nearest.conclude();
+  unwind(nearest, seed, revolute);
+  return nearest;
+}
+
 /// True if a row is within limits as it stands, but for rounding; true if there is no row.
 template <int dof>
 bool is_near_within(const Solutions<dof, 1>& nearest, const JointLimits<dof>& limits) {

@@ -5,8 +5,8 @@
 
 namespace qvgen::inverse {
 
-/// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's. Angles come with
-/// their cosines and sines.
+/// Preferred value of each joint, taken if a pose leaves it free: zero, the caller's or nobody's. Angles come
+/// with their cosines and sines.
 template <int dof>
 struct Preference {
   double angle[dof];
@@ -24,10 +24,21 @@ struct Preference {
     turn[i] = direction;
     brief[i] = {brief_length * direction.cosine, brief_length * direction.sine};
   }
+  /// Nobody's preference: a branch on which one would matter is doubtful, and has to be followed with one.
+  static constexpr Preference nobodys() {
+    Preference none;
+    for (int i = 0; i < dof; ++i) {
+      none.angle[i] = tolerance::farthest_joint;
+      none.brief[i] = {0, 0};
+    }
+    return none;
+  }
 };
 
 template <int dof>
 inline constexpr Preference<dof> zero_preference{};
+template <int dof>
+inline constexpr Preference<dof> nobodys_preference = Preference<dof>::nobodys();
 
 /// Pointers to a pose's numbers: x, y, z, w of its quaternion, then its position.
 struct PoseNumbers {

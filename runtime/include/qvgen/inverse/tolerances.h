@@ -147,6 +147,9 @@ inline constexpr double between = 0.6;
 /// How far along an idle joint a continuum is looked for: far beyond half the digits, rad or share of the
 /// size.
 inline constexpr double way_along = 1e-2;
+/// A row leaves its continuum by half the digits at most, and the pose by as much a radian along it: five
+/// times that.
+inline constexpr double off_continuum = digits(1e-6);
 /// Ways that are off by a hundred times what is allowed to first order are not followed: they may be curved.
 inline constexpr double off_to_first_order = 100;
 /// The squared miss a quick step leaves: next to a continuum steps converge at once.
@@ -183,6 +186,8 @@ inline constexpr double pitched = digits(1e-20);
 
 // Rows next to a seed. Distances are squared angles and lengths.
 
+/// The way along the seed's branch leads to the nearest of all rows, if that is no farther: 0.3 rad.
+inline constexpr double nearest_by_forks = 0.09;
 /// No other row needs to be asked for: 10 mrad.
 inline constexpr double by_seed = 1e-4;
 /// Newton's steps may have moved a row along a continuum: 2 mrad.

@@ -43,7 +43,7 @@ RowCount choose_in_lanes(const Lanes& lanes, const JointLimits<dof>& limits, con
 /// True if lanes have answered what is asked for rows within limits. If solutions exist but none is inside
 /// one of them may still be brought there.
 inline bool is_answered(const RowCount& chosen) {
-  return chosen.rows >= 0 && !chosen.continuum && (chosen.rows > 0 || chosen.found == 0);
+  return chosen.rows > 0 || (chosen.rows == 0 && chosen.found == 0);
 }
 
 /// One row for each branch that has one inside limits, the nearest to the seed first.
@@ -52,10 +52,8 @@ LimitedSolutions<dof, capacity> next_to_seed(const Joints<dof>& seed, const Join
                                              const std::array<bool, count>& revolute, const Lanes& lanes,
                                              const Regular& regular, const All& all, const Bring& bring) {
   LimitedSolutions<dof, capacity> found;
-  const RowCount chosen = is_finite(seed)
-                              ? choose_in_lanes<dof, capacity>(lanes, limits, seed, revolute, true, found)
-                              : without_lanes;
-  if (is_answered(chosen)) {
+  const RowCount chosen = choose_in_lanes<dof, capacity>(lanes, limits, seed, revolute, true, found);
+  if (is_answered(chosen) && (chosen.rows > 0 || is_finite(seed))) {
     conclude(found, chosen);
     return found;
   }

@@ -9,6 +9,7 @@
 // linker might take a copy made for AVX2 for everybody.
 
 #include <cstring>
+#include <limits>
 
 #include <immintrin.h>
 #include <qvgen/inverse/lane_scalar.h>
@@ -29,12 +30,10 @@ QVGEN_ARCTANGENTS_OF(inverse::avx2::Pack)
 
 namespace qvgen::inverse::avx2 {
 
-/// Numbers behind the joints of a row: the label in the lower half, the mark in the upper one's first byte.
-[[gnu::always_inline]] inline Pack row_end(const Branch<Pack>& branch, int label, int apart) {
+/// Numbers behind the joints of a row: the label in the lower half, in the upper one no mark.
+[[gnu::always_inline]] inline Pack row_end(int label, int apart) {
   const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
-  const __m256i mark =
-      _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
-  return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
+  return Pack(reinterpret_cast<__m256d>(labels));
 }
 
 /// Numbers of joints, four at a time; the last four overlap those before, and three joints or fewer have
@@ -131,7 +130,9 @@ class LaneWithin {
       squares[i] = off * off;
     }
     rows.square = sum(squares);
-    rows.exists = branch.exists & (farthest <= Pack(limit_tolerance));
+    // Next to a seed that is not finite there is nothing.
+    const Pack infinite = std::numeric_limits<double>::infinity();
+    rows.exists = branch.exists & (farthest <= Pack(limit_tolerance)) & (rows.square < infinite);
   }
 
   [[gnu::always_inline]] static Pack sum(const Pack (&squares)[dof]) {
@@ -294,7 +295,8 @@ class WaitingRows {
   int blocks_ = 0;
 };
 
-/// Takes the place of LaneRows where not all rows are wanted.
+/// Takes the place of LaneRows where not all rows are wanted. A pose that leaves something free is left to
+/// who knows where it is preferred.
 template <int dof>
 class WantedLaneRows {
  public:
@@ -305,29 +307,29 @@ class WantedLaneRows {
 
   [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const {
     waiting_.write(wanted_.places.first, wanted_.places.stride);
-    return {any(branch.doubtful) ? -1 : rows_, continuum_, found_};
+    return {any(branch.doubtful | free_) ? -1 : rows_, false, found_};
   }
 
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, int label) {
     FourRows<dof> rows;
     within_.take(Rows{q, branch, rows});
-    add(rows, row_end(branch, label, 1));
-    look_at(branch, 1);
+    add(rows, row_end(label, 1));
+    look_at(branch);
   }
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Pack (&twin)[dof],
                                      const Branch<Pack>& branch, int label) {
     FourRows<dof> rows, twins;
     within_.take(Rows{q, branch, rows}, Rows{twin, branch, twins});
-    add(rows, row_end(branch, label, 2), twins, row_end(branch, label + 1, 2));
-    look_at(branch, 2);
+    add(rows, row_end(label, 2), twins, row_end(label + 1, 2));
+    look_at(branch);
   }
   [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch,
                                      const Pack (&other)[dof], const Branch<Pack>& other_branch, int label) {
     FourRows<dof> rows, others;
     within_.take(Rows{q, branch, rows}, Rows{other, other_branch, others});
-    add(rows, row_end(branch, label, 2), others, row_end(other_branch, label + 1, 2));
-    look_at(branch, 1);
-    look_at(other_branch, 1);
+    add(rows, row_end(label, 2), others, row_end(label + 1, 2));
+    look_at(branch);
+    look_at(other_branch);
   }
 
  private:
@@ -342,10 +344,9 @@ class WantedLaneRows {
     waiting_.add(rows, end, others, other_end, wanted_.is_sorted);
     rows_ += __builtin_popcount(bits(rows.exists)) + __builtin_popcount(bits(others.exists));
   }
-  [[gnu::always_inline]] void look_at(const Branch<Pack>& branch, int rows) {
-    const unsigned all = bits(branch.exists);
-    found_ += rows * __builtin_popcount(all);
-    continuum_ = continuum_ || (all & bits(branch.continuum)) != 0;
+  [[gnu::always_inline]] void look_at(const Branch<Pack>& branch) {
+    found_ |= static_cast<int>(bits(branch.exists));
+    free_ = free_ | (branch.exists & branch.continuum);
   }
 
   static constexpr std::size_t limits_room = room_of_limits(dof);
@@ -353,8 +354,8 @@ class WantedLaneRows {
   const WantedRows& wanted_;
   LaneWithin<dof> within_;
   WaitingRows<dof> waiting_;
+  Pack::Truth free_ = false;
   int rows_ = 0, found_ = 0;
-  bool continuum_ = false;
 };
 
 }  // namespace qvgen::inverse::avx2

@@ -107,6 +107,29 @@ void take_nearer(const Solutions<dof, 1>& row, const Preference<dof>& seed, cons
   found.effort = effort;
 }
 
+/// True if two rows are one but for rounding: next to a double root half the digits are lost.
+template <int dof>
+bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* revolute) {
+  double square = 0;
+  for (int i = 0; i < dof; ++i) {
+    const double difference = a.q[i] - b.q[i];
+    const double way = revolute[i] ? without_turns(difference) : difference;
+    square += way * way;
+  }
+  return square < tolerance::same_rows * std::numeric_limits<double>::epsilon();
+}
+
+/// Keeps the nearer row likewise, `row` one of Newton's steps. Where the equations are sure of theirs it
+/// stays, if it is the same but for rounding.
+template <int dof>
+void take_nearer_of_steps(const Solutions<dof, 1>& row, const Preference<dof>& seed, const bool* revolute,
+                          bool is_sure, Solutions<dof, 1>& found) {
+  const bool is_known = is_sure && !row.empty() && !found.empty() && is_same_row(row[0], found[0], revolute);
+  if (!is_known) return take_nearer(row, seed, revolute, found);
+  found.effort.passes += row.effort.passes;
+  found.effort.steps += row.effort.steps;
+}
+
 /// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose. What is
 /// nearly free stays where the seed has it. `row_apart`: how far what has been found is from the seed,
 /// squared; where that `is_sure` steps are taken only next to what turns out to be singular.
@@ -144,7 +167,8 @@ template <int points, int dof>
 void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
                       double tolerance, const bool* revolute, bool is_sure, Solutions<dof, 1>& found) {
   const double row_apart = apart(found, seed, revolute);
-  take_nearer(row_from_seed<points>(arm, pose, seed, tolerance, is_sure, row_apart), seed, revolute, found);
+  take_nearer_of_steps(row_from_seed<points>(arm, pose, seed, tolerance, is_sure, row_apart), seed, revolute,
+                       is_sure, found);
 }
 
 /// The arm with a turn of its tool about an axis of its own, a unit vector, as one more joint: what a task
@@ -224,7 +248,7 @@ void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const
   const double row_apart = apart(found, seed, revolute);
   const auto rest = row_from_seed<points>(without_joint(arm, given, value), pose, without_joint(seed, given),
                                           tolerance, is_sure, row_apart);
-  take_nearer(with_joint(rest, given, value), seed, revolute, found);
+  take_nearer_of_steps(with_joint(rest, given, value), seed, revolute, is_sure, found);
 }
 
 /// The first number that no row has.
@@ -234,18 +258,6 @@ int free_branch(const Solutions<dof, capacity>& rows) {
   const auto has_it = [&](const Solution<dof>& row) { return row.branch == branch; };
   while (std::any_of(rows.begin(), rows.end(), has_it)) ++branch;
   return branch;
-}
-
-/// True if two rows are one but for rounding: next to a double root half the digits are lost.
-template <int dof>
-bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* revolute) {
-  double square = 0;
-  for (int i = 0; i < dof; ++i) {
-    const double difference = a.q[i] - b.q[i];
-    const double way = revolute[i] ? without_turns(difference) : difference;
-    square += way * way;
-  }
-  return square < tolerance::same_rows * std::numeric_limits<double>::epsilon();
 }
 
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is

@@ -96,6 +96,7 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
   u_argument = select(is_free.u, Scalar(first - v_angle), u_angle);
   v_argument = select(is_free.v, Scalar(first - u_angle), v_angle);
   if (!any(blurred)) return;
+  branch.doubt(blurred & is_nobodys(first));
   const Scalar turn =
       select(is_free.u | is_free.v, Scalar(0),
              turn_to_choice(wrapped(Scalar(u_angle + v_angle), pi), first, least, is_free.noise, pi));
@@ -191,6 +192,7 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
     return regular;
   }
   if (!any(blurred)) return regular;
+  branch.doubt(blurred & is_nobodys(seed));
   branch.continuum =
       branch.continuum | (branch.exists & (least <= widest_wrist_noise<Scalar>() * is_free.noise));
   const Scalar turn = turn_to_choice(regular.one.first, seed, least, is_free.noise, pi);

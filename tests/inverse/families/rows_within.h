@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Rows next to a seed within limits, of the arms that are written here: the calls of C++ and of C, by the
+// arms' names.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "robot_under_test.h"
+
+namespace qvgen::test {
+
+using RowsWithin = std::function<Found(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                                       const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+
+/// The calls of an arm, by its language: "C++", "C".
+using RowsWithinOf = std::map<std::string, RowsWithin>;
+
+inline RowsWithinOf& rows_within(const std::string& arm) {
+  static std::map<std::string, RowsWithinOf> all;
+  return all[arm];
+}
+
+}  // namespace qvgen::test
