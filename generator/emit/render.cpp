@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "emit/render.h"
 
-#include <stdexcept>
 
 #include <kainjow/mustache.hpp>
 
@@ -51,10 +50,9 @@ class StrictContext : public mustache::context<std::string> {
 std::string render(const std::string& template_name, const nlohmann::json& values) {
   const auto& known = builtin_templates();
   const auto place = known.find(template_name);
-  if (place == known.end()) throw std::invalid_argument("no template " + template_name);
+  if (place == known.end()) throw TemplateError("no template " + template_name);
   mustache::mustache text(place->second);
-  if (!text.is_valid())
-    throw std::invalid_argument("template " + template_name + ": " + text.error_message());
+  if (!text.is_valid()) throw TemplateError("template " + template_name + ": " + text.error_message());
   text.set_custom_escape([](const std::string& plain) { return plain; });
   mustache::data data = to_data(values);
   for (const auto& [name, part] : known)
@@ -64,7 +62,7 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   StrictContext context(&data);
   const std::string result = text.render(context);
   if (!context.missing().empty())
-    throw std::invalid_argument("template " + template_name + ": no value for the key " + context.missing());
+    throw TemplateError("template " + template_name + ": no value for the key " + context.missing());
   const bool is_code =
       template_name.ends_with(".h") || template_name.ends_with(".cpp") || template_name.ends_with(".c");
   return is_code ? tidy(result) : result;

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <new>
 
+#include "emit/render.h"
 #include "emit/template_values.h"
 #include "pipeline/parallel.h"
 #include "verify/certificate.h"
@@ -47,6 +48,8 @@ void attempt(const std::string& part, RobotOutput& output,
     generate(made);
     append(output, made);
   } catch (const verify::CertificateError& error) {
+    leave_out(Missing::Kind::refuted, defect_text(error.what()));
+  } catch (const emit::TemplateError& error) {
     leave_out(Missing::Kind::refuted, defect_text(error.what()));
   } catch (const std::bad_alloc&) {
     leave_out(Missing::Kind::not_finished, "it takes more memory than it may have");

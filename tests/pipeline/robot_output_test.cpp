@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "emit/render.h"
 #include "verify/certificate.h"
 
 namespace qvgen::pipeline {
@@ -33,6 +34,14 @@ TEST(RobotOutput, AFailedCertificateIsADefectOfTheTool) {
   EXPECT_NE(output.missing[0].reason.find("the range test is wrong"), std::string::npos);
   EXPECT_NE(output.missing[0].reason.find("a defect of this tool"), std::string::npos);
   EXPECT_EQ(output.files.size(), 1U);
+}
+
+TEST(RobotOutput, ATemplateThatLacksAValueIsADefectOfTheTool) {
+  RobotOutput output{"arm"};
+  attempt("model", output, [](RobotOutput&) { emit::render("cpp/model.h", {}); });
+  ASSERT_EQ(output.missing.size(), 1U);
+  EXPECT_EQ(output.missing[0].kind, Missing::Kind::refuted);
+  EXPECT_NE(output.missing[0].reason.find("cpp/model.h: no value for the key"), std::string::npos);
 }
 
 }  // namespace
