@@ -2,6 +2,7 @@
 #include "pipeline/pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 
@@ -69,6 +70,16 @@ OutputFile umbrella_header(const RobotOutput& output) {
                                        {"is_complete", missing.empty()}})};
 }
 
+/// Parts of mechanisms with loops, which are made beside the products and call their limbs' functions.
+const std::array<const char*, 2> parts_of_loops{"assembly", "c_assembly"};
+const std::array<const char*, 2> needs_of_loops{"kinematics", "jacobian"};
+
+bool is_needed_by_loops(const std::string& product, const Parts& parts) {
+  return std::find(needs_of_loops.begin(), needs_of_loops.end(), product) != needs_of_loops.end() &&
+         std::any_of(parts_of_loops.begin(), parts_of_loops.end(),
+                     [&](const char* part) { return contains(parts, part); });
+}
+
 /// True if a part that is named needs the product.
 bool is_needed(const std::string& product, const Parts& parts) {
   const auto needs_it = [&](const auto& each) {
@@ -76,7 +87,7 @@ bool is_needed(const std::string& product, const Parts& parts) {
   };
   const auto& products = all_products();
   const auto& extras = all_extras();
-  return std::any_of(products.begin(), products.end(), needs_it) ||
+  return is_needed_by_loops(product, parts) || std::any_of(products.begin(), products.end(), needs_it) ||
          std::any_of(extras.begin(), extras.end(), needs_it);
 }
 
@@ -258,9 +269,7 @@ std::vector<std::string> product_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
   }
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
-  // Parts of mechanisms with loops, made beside the products.
-  names.emplace_back("assembly");
-  names.emplace_back("c_assembly");
+  names.insert(names.end(), parts_of_loops.begin(), parts_of_loops.end());
   return names;
 }
 
