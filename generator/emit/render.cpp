@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "emit/render.h"
 
-
 #include <kainjow/mustache.hpp>
 
 #include "emit/builtin_templates.h"
