@@ -12,16 +12,8 @@
 namespace qvgen::description {
 namespace {
 
-/// A chain of hinges about z, j0 to j3, each a metre behind the one before, with the given references.
 std::string chain(const std::string& sections, const std::vector<double>& references = {0, 0, 0, 0}) {
-  std::string bodies, ends;
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    bodies += fmt::format("<body name=\"b{}\" pos=\"1 0 0\"><joint name=\"j{}\" ref=\"{}\"/>\n", i, i,
-                          references[i]);
-    ends += "</body>";
-  }
-  return "<mujoco model=\"arm\"><compiler angle=\"radian\"/><worldbody>\n" + bodies + ends +
-         "</worldbody>\n" + sections + "</mujoco>\n";
+  return hinges(references, sections);
 }
 
 std::string equality(const std::string& content) { return "<equality>" + content + "</equality>\n"; }

@@ -14,16 +14,8 @@ namespace {
 
 using Coefficients = std::array<double, 3>;
 
-/// A chain of hinges about z, j0 to j2, with references, and sections behind it.
 std::string chain(const std::string& sections, const Coefficients& references = {0, 0, 0}) {
-  std::string bodies, ends;
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    bodies += fmt::format("<body name=\"b{}\" pos=\"1 0 0\"><joint name=\"j{}\" ref=\"{}\"/>\n", i, i,
-                          references[i]);
-    ends += "</body>";
-  }
-  return "<mujoco model=\"arm\"><compiler angle=\"radian\"/><worldbody>\n" + bodies + ends +
-         "</worldbody>\n" + sections + "</mujoco>\n";
+  return hinges({references.begin(), references.end()}, sections);
 }
 
 std::string tendon(const std::string& name, const Coefficients& coefficients,

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "description/reader.h"
@@ -41,6 +43,19 @@ inline std::string texts(const model::Displacement& displacement) {
   for (const model::Turn& turn : displacement.turns)
     text += texts(turn.axis) + " by " + to_string(turn.angle) + "; ";
   return text + texts(displacement.translation);
+}
+
+/// An MJCF of hinges about z, j0, j1, ..., each a metre behind the one before, with the given references, and
+/// sections behind them.
+inline std::string hinges(const std::vector<double>& references, const std::string& sections) {
+  std::string bodies, ends;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    bodies += fmt::format("<body name=\"b{}\" pos=\"1 0 0\"><joint name=\"j{}\" ref=\"{}\"/>\n", i, i,
+                          references[i]);
+    ends += "</body>";
+  }
+  return "<mujoco model=\"arm\"><compiler angle=\"radian\"/><worldbody>\n" + bodies + ends +
+         "</worldbody>\n" + sections + "</mujoco>\n";
 }
 
 }  // namespace qvgen::description

@@ -285,7 +285,7 @@ TEST(LoopCertificate, HoldsForRandomGears) {
   }
 }
 
-/// Motors that are no joints beside loops, and offsets, are written as they were read.
+/// A description with motors and offsets is written as it was read.
 TEST(LoopCertificate, HoldsForMotorsOfADifferential) {
   const auto mechanism = mechanism_of_file("geared_five_bar");
   ASSERT_EQ(mechanism.robot.joints.size(), 6U);

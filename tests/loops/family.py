@@ -12,7 +12,7 @@ import sys
 LENGTHS = re.compile(r"^(origin|link|at|length) = (.*?)( *#.*)?$")
 NUMBER = re.compile(r'"[^"]*"|-?\d+\.?\d*')
 LEFT_OUT = re.compile(r"^(mass|centre_of_mass|inertia|rotor_inertia) = ")
-HEADER = """// Of {name}.toml: its parameters, in their order.
+HEADER = """// The parameters of {name}.toml, in their order.
 #pragma once
 #include <array>
 #include <qvgen/robots/{name}/assembly.h>

@@ -94,6 +94,12 @@ class Careful {
   [[nodiscard]] bool leaves_doubt(const Gathered& found) const;
   [[nodiscard]] bool any_is_singular() const;
   [[nodiscard]] bool any_is_exactly_singular();
+  struct Beside {
+    bool reaches;
+    Values values;
+    Reached<double, joints, 3> there;
+  };
+  [[nodiscard]] Beside polished_beside(const Row& row, std::size_t joint, double by);
   [[nodiscard]] double miss_beside(const Row& row, std::size_t joint, double by);
   [[nodiscard]] bool three_meet_in(const Row& row, std::size_t idle_joint);
   [[nodiscard]] bool is_even() const;

@@ -19,34 +19,34 @@ constexpr double known = 1e-6;
 
 }  // namespace
 
+/// Returns where Newton's steps lead with one joint of a row held aside by so much, and whether to the pose.
+Careful::Beside Careful::polished_beside(const Row& row, std::size_t joint, double by) {
+  Beside beside{false, row.values, {}};
+  Newton(task_).advance(joint, task_.arm[joint].revolute ? by : by * setup_.chain.size, beside.values);
+  Held<joints> held{};
+  held[joint] = true;
+  const double share = std::max(tolerance_, default_tolerance);
+  beside.reaches = polish(task_, {share}, beside.values, beside.there, walks_, held);
+  return beside;
+}
+
 /// True if solutions go on where one idle joint of a row is moved by so much; sets `unsure_` where a solution
 /// is there that no row stands for.
 bool Careful::goes_on_beside(const Row& row, std::size_t joint, double by) {
-  Values beside = row.values;
-  Newton(task_).advance(joint, task_.arm[joint].revolute ? by : by * setup_.chain.size, beside);
-  Held<joints> held{};
-  held[joint] = true;
-  Reached<double, joints, 3> there;
-  const double share = std::max(tolerance_, default_tolerance);
-  if (!polish(task_, {share}, beside, there, walks_, held)) return false;
-  if (distance_square(beside, row.values) > astray) return false;
-  const bool is_known = std::any_of(
-      rows_, rows_ + size_, [&](const Row& each) { return distance_square(each.values, beside) < known; });
+  const Beside beside = polished_beside(row, joint, by);
+  if (!beside.reaches || distance_square(beside.values, row.values) > astray) return false;
+  const bool is_known = std::any_of(rows_, rows_ + size_, [&](const Row& each) {
+    return distance_square(each.values, beside.values) < known;
+  });
   if (is_known) return false;
-  if (Idling<double, joints, 3>(task_, walks_).is_continuum(beside, there)) return true;
+  if (Idling<double, joints, 3>(task_, walks_).is_continuum(beside.values, beside.there)) return true;
   unsure_ = true;
   return false;
 }
 
 /// Returns what is left of the way to the pose, as a share of the size, with a joint held aside of a row.
 double Careful::miss_beside(const Row& row, std::size_t joint, double by) {
-  Values beside = row.values;
-  Newton(task_).advance(joint, task_.arm[joint].revolute ? by : by * setup_.chain.size, beside);
-  Held<joints> held{};
-  held[joint] = true;
-  Reached<double, joints, 3> there;
-  (void)polish(task_, {std::max(tolerance_, default_tolerance)}, beside, there, walks_, held);
-  return std::sqrt(there.error / task_.size_square);
+  return std::sqrt(polished_beside(row, joint, by).there.error / task_.size_square);
 }
 
 /// True if three solutions meet in a row, at least: the miss beside it grows with the third power of the way.

@@ -28,7 +28,7 @@ struct Gear {
   double offset = 0;  ///< rad or m
 };
 
-/// Every joint has a value of its own here; motors that are no joints are joints without mass behind them.
+/// Every joint has a value of its own here. Motors are the last joints, and move nothing.
 struct LoopMechanism {
   Chain chain;
   std::vector<Closure> closures;
