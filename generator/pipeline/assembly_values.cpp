@@ -205,6 +205,17 @@ json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t
   return list;
 }
 
+/// Lengths of the slides that are driven, where these are what is given, as a list in code; false without
+/// any.
+json slides_in(const LoopVariant& variant, const AssemblyPlan& assembly) {
+  std::vector<std::string> lengths;
+  for (const std::size_t joint : assembly.given)
+    if (assembly.robot.joints[joint].type == model::JointType::prismatic)
+      lengths.push_back(fmt::format("std::abs(q[{}])", joint));
+  if (variant.function != "assemble" || lengths.empty()) return false;
+  return {{"list", fmt::format("{{{}}}", fmt::join(lengths, ", "))}};
+}
+
 }  // namespace
 
 std::string described_names(const model::Robot& robot, const std::vector<std::size_t>& joints) {
@@ -264,6 +275,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given_values", given_values},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
+          {"slides", slides_in(variant, assembly)},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},

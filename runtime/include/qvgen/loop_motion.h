@@ -119,4 +119,14 @@ Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& 
   }
 }
 
+/// Returns joints that close the loops as well as rounding lets them, next to some that hardly miss: Newton's
+/// steps, if they lead there. `gaps`, `jacobian` and `enough`: as follow_loops has them.
+template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
+Joints<dof> closed_well(const Joints<dof>& q, const std::array<int, passive_count>& passive, const Gaps& gaps,
+                        const Jacobian& jacobian, double enough) {
+  constexpr double next_to = 1e-6;  // rad or m
+  const Followed<dof> found = follow_loops<dof>(q, passive, gaps, jacobian, enough);
+  return found.closed && (found.q - q).cwiseAbs().maxCoeff() < next_to ? found.q : q;
+}
+
 }  // namespace qvgen
