@@ -130,7 +130,7 @@ TEST_P(Assemblies, KeepTheirBranchAlongAPath) {
 /// A short slide's square is rounding beside the squares of others.
 TEST_P(Assemblies, CloseAsWellWhereASlideIsShort) {
   std::mt19937 random(13);
-  std::uniform_real_distribution<double> power(-6, -2);
+  std::uniform_real_distribution<double> power(-4, -2);
   for (const Eigen::Index joint : reference_.driven) {
     if (reference_.chain.joints[static_cast<std::size_t>(joint)].revolute) continue;
     for (int k = 0; k < 20; ++k) {

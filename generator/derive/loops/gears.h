@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gears among loops: a joint that follows others is one more equation, whose values sum up to a constant.
-// It tells one joint's value by all others'. Given values tell it before all steps, whatever the factors. Steps
-// find angles without whole turns; behind them it tells a value if the factors are whole.
+// It tells one joint's value by all others'. Given values tell it before all steps, whatever the factors.
+// Steps find angles without whole turns; behind them it tells a value if the factors are whole.
 #pragma once
 
 #include <vector>

@@ -124,7 +124,7 @@ Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& 
 template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
 Joints<dof> closed_well(const Joints<dof>& q, const std::array<int, passive_count>& passive, const Gaps& gaps,
                         const Jacobian& jacobian, double enough) {
-  constexpr double next_to = 1e-6;  // rad or m
+  constexpr double next_to = 1e-3;  // rad or m
   const Followed<dof> found = follow_loops<dof>(q, passive, gaps, jacobian, enough);
   return found.closed && (found.q - q).cwiseAbs().maxCoeff() < next_to ? found.q : q;
 }
