@@ -130,15 +130,18 @@ TEST_P(Assemblies, KeepTheirBranchAlongAPath) {
 /// A short slide's square is rounding beside the squares of others.
 TEST_P(Assemblies, CloseAsWellWhereASlideIsShort) {
   std::mt19937 random(13);
-  std::uniform_real_distribution<double> power(-4, -2);
+  std::uniform_real_distribution<double> power(-6, -2);
   for (const Eigen::Index joint : reference_.driven) {
     if (reference_.chain.joints[static_cast<std::size_t>(joint)].revolute) continue;
     for (int k = 0; k < 20; ++k) {
       VectorXd q = VectorXd::Zero(static_cast<Eigen::Index>(reference_.chain.joints.size()));
       q[joint] = reference_.size * std::pow(10, power(random));
       for (const VectorXd& assembled :
-           reference::assemblies(reference_, q, {joint}, 1, static_cast<unsigned>(random())))
-        expect_closed(reference_, mechanism_.assemble(assembled(reference_.driven)));
+           reference::assemblies(reference_, q, {joint}, 1, static_cast<unsigned>(random()))) {
+        const Set set = mechanism_.assemble(assembled(reference_.driven));
+        expect_closed(reference_, set);
+        EXPECT_TRUE(set.status == Status::incomplete || has(reference_, set, assembled, 1e-6));
+      }
     }
   }
 }

@@ -119,14 +119,26 @@ Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& 
   }
 }
 
-/// Returns joints that close the loops as well as rounding lets them, next to some that hardly miss: Newton's
-/// steps, if they lead there. `gaps`, `jacobian` and `enough`: as follow_loops has them.
-template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
-Joints<dof> closed_well(const Joints<dof>& q, const std::array<int, passive_count>& passive, const Gaps& gaps,
-                        const Jacobian& jacobian, double enough) {
+/// Brings assemblies that hardly miss to where they close the loops as well as rounding lets them, by
+/// Newton's steps; those that lead elsewhere are not taken. Rows that meet another so are left out; false
+/// then, since what was next to it is lost. `gaps`, `jacobian` and `enough`: as follow_loops has them.
+template <int dof, int capacity, std::size_t count, std::size_t passive_count, class Gaps, class Jacobian>
+bool close_well(Assemblies<dof, capacity>& found, const std::array<bool, count>& revolute,
+                const std::array<int, passive_count>& passive, const Gaps& gaps, const Jacobian& jacobian,
+                double enough) {
   constexpr double next_to = 1e-3;  // rad or m
-  const Followed<dof> found = follow_loops<dof>(q, passive, gaps, jacobian, enough);
-  return found.closed && (found.q - q).cwiseAbs().maxCoeff() < next_to ? found.q : q;
+  int kept = 0;
+  for (Solution<dof>& row : found) {
+    const Followed<dof> closed = follow_loops<dof>(row.q, passive, gaps, jacobian, enough);
+    if (closed.closed && (closed.q - row.q).cwiseAbs().maxCoeff() < next_to) row.q = closed.q;
+    const bool is_known = std::any_of(found.begin(), found.begin() + kept, [&](const Solution<dof>& other) {
+      return joint_distance<dof>(other.q, row.q, revolute) < inverse::same_assembly;
+    });
+    if (!is_known) found[kept++] = row;
+  }
+  const bool are_all = kept == found.size();
+  found.truncate(kept);
+  return are_all;
 }
 
 }  // namespace qvgen
