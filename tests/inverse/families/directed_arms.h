@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace qvgen::test {
 
@@ -9,33 +10,27 @@ namespace qvgen::test {
 /// one, and the description without name and title.
 struct DirectedArm {
   int given;
-  const char* text;
+  const char* keys;  ///< what is asked for, and all else if there is no more
+  const char* links = "";
+  const char* frames = "";
 };
+
+/// An arm with a spherical wrist.
+inline constexpr const char* wrist_arm = R"toml(convention = "standard"
+dh = [{ theta = "q1", variable = "q1", d = 0.4, a = 0.025, alpha = "-90 deg" },
+      { theta = "q2", variable = "q2", a = 0.56 },
+      { theta = "q3", variable = "q3", a = 0.035, alpha = "-90 deg" },
+      { theta = "q4", variable = "q4", d = 0.515, alpha = "90 deg" },
+      { theta = "q5", variable = "q5", alpha = "-90 deg" },
+      { theta = "q6", variable = "q6", d = 0.08 }]
+)toml";
 
 inline constexpr std::array<DirectedArm, 6> directed_arms{
     {// A spherical wrist; the last joint turns about the tool's axis, so that its value does not matter.
-     {5, R"toml(tool_axis = "+z"
-convention = "standard"
-dh = [{ theta = "q1", variable = "q1", d = 0.4, a = 0.025, alpha = "-90 deg" },
-      { theta = "q2", variable = "q2", a = 0.56 },
-      { theta = "q3", variable = "q3", a = 0.035, alpha = "-90 deg" },
-      { theta = "q4", variable = "q4", d = 0.515, alpha = "90 deg" },
-      { theta = "q5", variable = "q5", alpha = "-90 deg" },
-      { theta = "q6", variable = "q6", d = 0.08 }]
-)toml"},
+     {5, "tool_axis = \"+z\"\n", wrist_arm},
      // A torch across the flange of such an arm; the base is given.
-     {0, R"toml(tool_axis = ["3/5", 0, "4/5"]
-given = "q1"
-convention = "standard"
-dh = [{ theta = "q1", variable = "q1", d = 0.4, a = 0.025, alpha = "-90 deg" },
-      { theta = "q2", variable = "q2", a = 0.56 },
-      { theta = "q3", variable = "q3", a = 0.035, alpha = "-90 deg" },
-      { theta = "q4", variable = "q4", d = 0.515, alpha = "90 deg" },
-      { theta = "q5", variable = "q5", alpha = "-90 deg" },
-      { theta = "q6", variable = "q6", d = 0.08 }]
-[tool]
-translation = [0.05, 0.02, 0.1]
-)toml"},
+     {0, "tool_axis = [\"3/5\", 0, \"4/5\"]\ngiven = \"q1\"\n", wrist_arm,
+      "[tool]\ntranslation = [0.05, 0.02, 0.1]\n"},
      // Three parallel axes (link lengths of the UR5), the wrist's second joint given.
      {4, R"toml(given = "q5"
 convention = "standard"
@@ -86,5 +81,7 @@ joint = [{ type = "revolute", axis = "+z", variable = "q1", link = [0.1, 0.05, 0
          { type = "revolute", axis = "+x", variable = "q5", link = [0.08, 0.05, 0.1] },
          { type = "revolute", axis = "+y", variable = "q6", link = [0.05, 0.02, 0.09] }]
 )toml"}}};
+
+inline std::string text_of(const DirectedArm& arm) { return std::string(arm.keys) + arm.links + arm.frames; }
 
 }  // namespace qvgen::test

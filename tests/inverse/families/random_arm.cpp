@@ -365,9 +365,9 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "directed") {
     const std::string name = arm_name(family, seed);
     const std::string keys = "task = \"position_and_direction\"\n";
-    return seed < directed_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys + directed_arms[seed].text
-               : Writer(name, seed).directed(keys);
+    return seed < directed_arms.size() ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys +
+                                             text_of(directed_arms[seed])
+                                       : Writer(name, seed).directed(keys);
   }
   if (family == "machines") {
     const std::string name = arm_name(family, seed);
