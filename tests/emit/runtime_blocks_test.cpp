@@ -153,7 +153,7 @@ struct Boundary {
     boundary.take = false;
     return boundary;
   }
-  /// Of a regular pose.
+  /// Returns that of a regular pose.
   static constexpr Boundary plain(double accept) {
     Boundary boundary;
     boundary.accept = accept;
@@ -174,7 +174,7 @@ struct Boundary {
 
 static const Boundary new_boundary = {0, true};
 
-/// Of a regular pose.
+/// Returns that of a regular pose.
 static inline Boundary plain_boundary(double accept) {
   Boundary boundary = new_boundary;
   boundary.accept = accept;

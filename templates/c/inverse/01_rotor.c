@@ -1,4 +1,4 @@
-// What blocks that are read from headers of the C++ library find in C: a half turn, and a function in the place of
+// Definitions that blocks read from headers of the C++ library need in C: a half turn, and a function in the place of
 // `Rotor{cosine, sine}`. Each tolerance_NAME is the number of that name in tolerances.h; bounds of rounding are wider in
 // float: single_precision.h.
 
