@@ -141,6 +141,104 @@ Rotor<Scalar> twice(const Rotor<Scalar>& u) {
   EXPECT_THAT(text, HasSubstr("return product(turned(true, u), turned(false, rotor(u.sine, u.cosine)));"));
 }
 
+TEST(RuntimeBlocks, MethodsAreFunctionsOfTheirObject) {
+  EXPECT_EQ(in_c(R"(
+struct Boundary {
+  double accept = 0;  ///< so far outside
+                      ///< is inside
+  bool take{true};
+
+  static constexpr Boundary wide(double allowed) {
+    Boundary boundary = plain(allowed);
+    boundary.take = false;
+    return boundary;
+  }
+  /// Returns that of a regular pose.
+  static constexpr Boundary plain(double accept) {
+    Boundary boundary;
+    boundary.accept = accept;
+    return boundary;
+  }
+  [[nodiscard]] constexpr Boundary copied() const {
+    Boundary boundary = *this;
+    return boundary;
+  }
+  void close(const Boundary& other) { accept = other.accept; }
+};
+)"),
+            R"(typedef struct Boundary {
+  // so far outside is inside
+  double accept;
+  bool take;
+} Boundary;
+
+static const Boundary new_boundary = {0, true};
+
+/// Returns that of a regular pose.
+static inline Boundary plain_boundary(double accept) {
+  Boundary boundary = new_boundary;
+  boundary.accept = accept;
+  return boundary;
+}
+
+static inline Boundary wide_boundary(double allowed) {
+  Boundary boundary = plain_boundary(allowed);
+  boundary.take = false;
+  return boundary;
+}
+
+static inline Boundary copied(const Boundary* self) {
+  Boundary boundary = *self;
+  return boundary;
+}
+
+static inline void close(Boundary* self, const Boundary* other) {
+  self->accept = other->accept;
+}
+
+)");
+}
+
+TEST(RuntimeBlocks, AConstructorIsAFunctionNamedAfterItsStruct) {
+  const std::string text = in_c(R"(
+template <typename Scalar>
+struct HalfAngle {
+  Scalar half;
+
+  explicit HalfAngle(const Scalar& angle) { half = angle / Scalar(2); }
+  Scalar from(const Scalar& axis) const { return axis + half; }
+};
+template <typename Scalar>
+Scalar sum(const Scalar& a) {
+  const HalfAngle<Scalar> named(a);
+  return named.from(a) + HalfAngle<Scalar>(a).from(a);
+}
+)");
+  EXPECT_THAT(text, HasSubstr("HalfAngle half_angle(double angle) {\n  HalfAngle self;\n"
+                              "  self.half = angle / 2.0;\n  return self;\n}"));
+  EXPECT_THAT(text, HasSubstr("double from(HalfAngle self, double axis) {\n  return axis + self.half;"));
+  EXPECT_THAT(text, HasSubstr("const HalfAngle named = half_angle(a);\n"
+                              "  return from(named, a) + from(half_angle(a), a);"));
+}
+
+TEST(RuntimeBlocks, FunctionsForDoublesTakeThePlaceOfGeneralOnes) {
+  const std::string text = in_c(R"(
+template <typename Scalar>
+Scalar arctangent(const Scalar& y, const Scalar& x) { return atan2(y, x); }
+namespace polynomial {
+template <typename Scalar>
+Scalar arctangent(const Scalar& y, const Scalar& x) { return y / x; }
+template <typename Scalar>
+Scalar arctangent(const Scalar& y, const Scalar& x, const Scalar& length) { return arctangent(y, x) / length; }
+}
+inline double arctangent(double y, double x) { return polynomial::arctangent(y, x); }
+)");
+  EXPECT_EQ(text,
+            "static inline double arctangent(double y, double x) {\n  return y / x;\n}\n\n"
+            "static inline double arctangent_of_length(double y, double x, double length) {\n"
+            "  return arctangent(y, x) / length;\n}\n\n");
+}
+
 TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   const auto error_of = [](const std::string& statement) {
     return error_in("template <typename Scalar>\nScalar f(Scalar x) {\n  " + statement + "\n}\n");
@@ -154,7 +252,8 @@ TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   EXPECT_THAT(error_of("return (x;"), HasSubstr("header.h:"));
   for (const char* header :
        {"template <typename Scalar", "template <typename Scalar>\nstruct A {\n  int b;\n", "Scalar f(",
-        "inline constexpr double a = 1", "Scalar f()", "Scalar"})
+        "inline constexpr double a = 1", "Scalar f()", "Scalar", "struct A {\n  int b\n};\n",
+        "struct A {\n  int b() const;\n};\n"})
     EXPECT_THAT(error_in(header), HasSubstr("header.h:")) << header;
 }
 

@@ -46,10 +46,10 @@ TEST(Tolerances, NamesBecomeTheRuntimesNumbers) {
   const std::string& blocks = c::inverse_blocks();
   EXPECT_FALSE(std::regex_search(blocks, std::regex("tolerance_[a-z]")));
   std::smatch found;
-  ASSERT_TRUE(
-      std::regex_search(blocks, found, std::regex(R"(b\.beyond = digits\(([-0-9e.]+)\) \+ ([0-9]+) \*)")));
+  ASSERT_TRUE(std::regex_search(blocks, found, std::regex(R"(\.beyond = widened\(digits\(([-0-9e.]+)\), )")));
   EXPECT_EQ(std::stod(found[1]), inverse::tolerance::end_outside);
-  EXPECT_EQ(std::stod(found[2]), inverse::tolerance::range_per_size);
+  ASSERT_TRUE(std::regex_search(blocks, found, std::regex(R"(return share \+ ([0-9]+) \* allowed;)")));
+  EXPECT_EQ(std::stod(found[1]), inverse::tolerance::range_per_size);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ rm -rf "$output"
 "$tool" check "$description"
 "$tool" generate "$description" --output "$output"
 "$tool" show "$description" --latex
+"$tool" map "$description" --resolution 0.2 -o "$output/map.npz" -o "$output/map.svg"
 for file in "$output"/source/my_arm/*.cpp; do
   "$compiler" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only \
     -I "$output/include" -I "$source/runtime/include" -isystem /usr/include/eigen3 "$file"

@@ -122,14 +122,15 @@ class Writer {
     return "{" + (text.empty() ? "0" : text) + "}";
   }
 
-  /// True if a function makes the struct of its fields.
+  /// True if a function makes the struct of its fields: its parameters are these.
   bool has_maker(const Expression& e) const {
     const Function* maker =
         e.type->kind == Type::Kind::structure ? unit_.function(snake(e.type->name)) : nullptr;
     if (maker == nullptr || maker->parameters.size() != e.operands.size()) return false;
     const std::vector<Field>& fields = unit_.structures.at(e.type->name).fields;
-    return std::equal(fields.begin(), fields.end(), maker->parameters.begin(), maker->parameters.end(),
-                      [](const Field& a, const Field& b) { return a.type->kind == b.type->kind; });
+    return std::equal(
+        fields.begin(), fields.end(), maker->parameters.begin(), maker->parameters.end(),
+        [](const Field& a, const Field& b) { return a.name == b.name && a.type->kind == b.type->kind; });
   }
 
   Spelled binary(const Expression& e) const {

@@ -65,7 +65,10 @@ class Lexer {
     text.erase(0, text.find_first_not_of('/'));
     if (text.find_first_not_of('/') == std::string::npos) text.clear();
     if (!text.empty() && text[0] == ' ') text.erase(0, 1);
-    if (is_first)
+    const bool goes_on = is_first && text.rfind("< ", 0) == 0 && !tokens_.empty();
+    if (goes_on)
+      tokens_.back().behind += text.substr(1);
+    else if (is_first)
       comment_.push_back(text);
     else
       tokens_.back().behind = text;
@@ -113,7 +116,7 @@ class Lexer {
         add(Token::Kind::sign, pair);
         return at + 2;
       }
-    if (std::string("+-*/%=<>!~&|?:;,.()[]{}").find(line[at]) == std::string::npos)
+    if (std::string("+-*/%=<>!~&|^?:;,.()[]{}").find(line[at]) == std::string::npos)
       throw error_at(file_, line_, std::string("the character ") + line[at] + " has no place in C blocks");
     add(Token::Kind::sign, std::string(1, line[at]));
     return at + 1;

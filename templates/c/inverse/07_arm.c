@@ -1,5 +1,14 @@
 // Joints at the zero pose and the points that they carry, for Newton's steps; and the budget of those.
 
+static inline double square_of(Rotor a) { return a.cosine * a.cosine + a.sine * a.sine; }
+
+/// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
+static inline double without_turns(double difference) {
+  const double turn = constant_whole_turn;
+  const double rounds = 1.5 / DBL_EPSILON;
+  return difference - turn * ((difference * (1 / turn) + rounds) - rounds);
+}
+
 /// How often a pose may be worked at: counted, so that the bound holds by construction.
 typedef struct Budget {
   int passes;

@@ -1,5 +1,7 @@
 // Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried.
 
+static inline double clamped(double x, double low, double high) { return smaller(larger(x, low), high); }
+
 /// Place to which a point of the zero pose has moved.
 static void carried(const Matching* task, const JointValues* values, int point, double x[3]) {
   memcpy(x, task->start[point], sizeof task->start[point]);

@@ -94,7 +94,8 @@ class HeaderParser : public Parser {
 
   /// A call with pointers where the function has them, and without pi where that is a constant.
   [[nodiscard]] Expression called(const std::string& wanted, Expressions list) const {
-    const std::string name = wanted == "arctangent" && list.size() == 3 ? "arctangent_of_length" : wanted;
+    const std::string name =
+        overload_in_c(wanted, list.size(), !list.empty() && list.front().type && is_rotor(list.front()));
     const Function* known = scope_.unit.function(name);
     if (known == nullptr) {
       const TypeRef real = basic(Type::Kind::real);
@@ -156,16 +157,22 @@ void Reader::read_c(const File& file) { Parser(file, scope_).run(); }
 std::string Reader::in_c(const File& header) {
   const Unit& unit = scope_.unit;
   const auto skipped = [&](const std::string& name) {
-    return unit.function(name) != nullptr || unit.constant(name) != nullptr ||
+    return is_of_library(name) || unit.function(name) != nullptr || unit.constant(name) != nullptr ||
            unit.structures.count(name) > 0;
   };
   const std::size_t structures = unit.structure_order.size(), constants = unit.constants.size(),
                     functions = unit.functions.size();
   HeaderParser(header, scope_, words_of(header, skipped, known_), known_).run();
   std::string text;
-  for (std::size_t i = constants; i < unit.constants.size(); ++i) text += c_text(unit, unit.constants[i]);
+  const auto add_constants = [&](bool of_structures) {
+    for (std::size_t i = constants; i < unit.constants.size(); ++i)
+      if ((unit.constants[i].type->kind == Type::Kind::structure) == of_structures)
+        text += c_text(unit, unit.constants[i]);
+  };
+  add_constants(false);
   for (std::size_t i = structures; i < unit.structure_order.size(); ++i)
     text += c_text(unit, unit.structures.at(unit.structure_order[i]));
+  add_constants(true);
   for (std::size_t i = functions; i < unit.functions.size(); ++i) text += c_text(unit, unit.functions[i]);
   return text;
 }

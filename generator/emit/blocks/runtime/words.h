@@ -30,6 +30,10 @@ struct Known {
   std::set<std::string> flagged;  ///< functions whose template has a flag
 };
 
+/// Returns the name in C of a function of which C++ has several, by the number of its parameters and the type
+/// of the first.
+std::string overload_in_c(const std::string& name, std::size_t count, bool is_of_rotor);
+
 /// Returns the definitions of a header in C's words but for those whose name is `skipped`. Throws
 /// NotInSubset.
 Tokens words_of(const File& header, const std::function<bool(const std::string&)>& skipped, Known& known);

@@ -13,8 +13,8 @@ namespace {
 
 using blocks::runtime::Reader;
 
-/// Templates that headers of the runtime call.
-constexpr const char* before[] = {"c/inverse/01_branches.c", "c/inverse/02_angles.c"};
+/// The template that headers of the runtime call.
+constexpr const char* before = "c/inverse/01_rotor.c";
 
 /// Adds a header in C behind those that it includes.
 void add_header(const std::string& name, std::set<std::string>& known, Reader& reader, std::string& result) {
@@ -29,17 +29,14 @@ void add_header(const std::string& name, std::set<std::string>& known, Reader& r
 
 std::string joined() {
   Reader reader;
-  std::string result;
-  for (const char* name : before) {
-    const std::string& text = builtin_templates().at(name);
-    reader.read_c({name, "inverse", false, in_double_precision(text)});
-    result += text + "\n";
-  }
+  const std::string& first = builtin_templates().at(before);
+  reader.read_c({before, "inverse", false, in_double_precision(first)});
+  std::string result = first + "\n";
   std::set<std::string> known;
   for (const auto& [name, text] : builtin_templates())
     if (name.rfind("runtime/", 0) == 0) add_header(name.substr(8), known, reader, result);
   for (const auto& [name, text] : builtin_templates())
-    if (name > before[1] && name.rfind("c/inverse/", 0) == 0) result += text + "\n";
+    if (name > before && name.rfind("c/inverse/", 0) == 0) result += text + "\n";
   return result;
 }
 
