@@ -36,8 +36,9 @@ int main(int count, char** arguments) {
   if (arm::upper_limits[0] != length) return 3;
   bool same = true;
 #ifdef HAS_INVERSE
-  const arm::JointVector<double> q = arm::JointVector<double>::Constant(0.3);
-  const auto found = arm::inverse_kinematics(arm::forward_kinematics(q), q, arm::Limits());
+  namespace left_arm = qvgen::robots::left_arm;
+  const left_arm::JointVector<double> q = left_arm::JointVector<double>::Constant(0.3);
+  const auto found = left_arm::inverse_kinematics(left_arm::forward_kinematics(q), q, left_arm::Limits());
   same = !found.empty() && found[0].q.isApprox(q, 1e-9);
 #endif
   const other::JointVector<double> zero = other::JointVector<double>::Zero();
