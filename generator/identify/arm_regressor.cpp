@@ -105,7 +105,8 @@ std::vector<DriveParameter> all_drives() {
 ArmRegressor arm_regressor(const model::Robot& described, const std::vector<DriveParameter>& drives,
                            double gravity) {
   const canonical::Arm arm = canonical::whatever_notation_with_links(described).front();
-  const auto [regressor, left_out] = dynamics::regressor_with_drives(arm.robot, arm.reversed);
+  const dynamics::DriveRegressor found = dynamics::regressor_with_drives(arm.robot, arm.reversed);
+  const dynamics::Regressor& regressor = found.regressor;
   const std::size_t rows = model::driven_count(arm.robot), links = arm.robot.joints.size();
   Known known = defaults_of(described, gravity);
   const dag::Function parameters = optimise::with_definitions(regressor.base_parameters, arm.robot);
@@ -116,7 +117,7 @@ ArmRegressor arm_regressor(const model::Robot& described, const std::vector<Driv
       optimise::dynamics_in_terms_of_description(regressor.formulation.function, arm), arm.robot);
   ArmRegressor result{rows, links, regressor.names, drives, combination, {}, Tape({}, {}, {}), {}};
   remove_drives(drives, links, result.combination);
-  if (drives.size() == dynamics::drive_parameters.size()) result.left_out = left_out;
+  if (drives.size() == dynamics::drive_parameters.size()) result.left_out = found.left_out;
   remove_empty(rows, result, function);
   result.tape = Tape(function, inputs_of(described), known);
   result.columns = columns_of(result.tape, rows, result.names.size());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/column_relations.h"
 
+#include <algorithm>
 #include <set>
-#include <stdexcept>
+#include <utility>
 
 #include <cln/float.h>
 #include <cln/integer.h>
@@ -25,24 +26,38 @@ const cln::cl_RA negligible = cln::expt(cln::cl_RA(10), -40);
 /// Denominators of coefficients are small: halves, and those of the ratios of followers.
 constexpr long largest_denominator = 1000;
 
-const char* const not_rational =
-    "a parameter of the drives depends on others by a factor that is neither a rational number nor one times "
-    "gravity; the drives' columns beside those of `regressor` are not independent here";
-
-/// Some symbols have given values, all others those of a point.
+/// Symbols of the geometry have the values of one point, those of the motion of another; some are given.
 struct Leaves {
-  const exact::ExactPoint& point;
-  std::map<std::string, Number> given;
+  const std::set<std::string>& of_geometry;
+  const exact::ExactPoint& geometry;
+  const exact::ExactPoint& motion;
+  const std::map<std::string, Number>& given;
 
   [[nodiscard]] Number constant(const Number& value) const { return value; }
   [[nodiscard]] Number symbol(const std::string& name) const {
     const auto place = given.find(name);
-    return place != given.end() ? place->second : point.symbol(name);
+    if (place != given.end()) return place->second;
+    return (of_geometry.contains(name) ? geometry : motion).symbol(name);
   }
-  [[nodiscard]] Number sine(const exact::Angle& angle) const { return point.sine(angle); }
-  [[nodiscard]] Number cosine(const exact::Angle& angle) const { return point.cosine(angle); }
-  [[nodiscard]] Number root(const Number& value) const { return point.root(value); }
-  [[nodiscard]] Number arctangent(const Number& y, const Number& x) const { return point.arctangent(y, x); }
+  [[nodiscard]] Number sine(const exact::Angle& angle) const {
+    const auto [moving, still] = split(angle);
+    return motion.sine(moving) * geometry.cosine(still) + motion.cosine(moving) * geometry.sine(still);
+  }
+  [[nodiscard]] Number cosine(const exact::Angle& angle) const {
+    const auto [moving, still] = split(angle);
+    return motion.cosine(moving) * geometry.cosine(still) - motion.sine(moving) * geometry.sine(still);
+  }
+  [[nodiscard]] Number root(const Number& value) const { return motion.root(value); }
+  [[nodiscard]] Number arctangent(const Number& y, const Number& x) const { return motion.arctangent(y, x); }
+
+ private:
+  /// The part that moves, and that of the geometry.
+  [[nodiscard]] std::pair<exact::Angle, exact::Angle> split(const exact::Angle& angle) const {
+    std::pair<exact::Angle, exact::Angle> parts{{{}, angle.pi}, {}};
+    for (const auto& term : angle.terms)
+      (of_geometry.contains(term.first) ? parts.second : parts.first).terms.insert(term);
+    return parts;
+  }
 };
 
 /// No rational with a small denominator, so that a coefficient shows whether it contains gravity.
@@ -51,9 +66,11 @@ const cln::cl_RA gravity = cln::cl_RA(980'665'003) / 100'000'007;
 /// The columns at so many random motions, one below the other.
 std::vector<Vector> columns_at(const model::Robot& robot, const Formulation& formulation, std::size_t rows,
                                const exact::ExactPoint& geometry) {
-  std::map<std::string, Number> constants;
+  std::set<std::string> of_geometry;
+  for (const model::Parameter& parameter : robot.geometry) of_geometry.insert(parameter.name);
+  std::map<std::string, Number> constants{{gravity_symbol, Number(gravity)}};
   const auto values =
-      dag::evaluate<Number>(formulation.constants, Leaves{geometry, {{gravity_symbol, gravity}}});
+      dag::evaluate<Number>(formulation.constants, Leaves{of_geometry, geometry, geometry, constants});
   for (std::size_t i = 0; i < values.size(); ++i)
     constants[formulation.constants.outputs[i].name] = values[i];
   std::set<std::string> whole;
@@ -62,7 +79,8 @@ std::vector<Vector> columns_at(const model::Robot& robot, const Formulation& for
   const std::size_t motions = columns.size() / rows + 5;
   for (std::size_t m = 0; m < motions; ++m) {
     const exact::ExactPoint motion(100 + m, whole);
-    const auto entries = dag::evaluate<Number>(formulation.function, Leaves{motion, constants});
+    const auto entries =
+        dag::evaluate<Number>(formulation.function, Leaves{of_geometry, geometry, motion, constants});
     for (std::size_t i = 0; i < entries.size(); ++i)
       columns[i / rows].push_back(exact::to_float(entries[i], cln::float_format(digits)));
   }
@@ -120,18 +138,19 @@ std::optional<cln::cl_RA> rational_near(const cl_R& value) {
   return std::nullopt;
 }
 
-Coefficient coefficient_of(const cl_R& value) {
-  if (const auto rational = rational_near(value)) return {*rational, false};
-  if (const auto rational = rational_near(value / gravity)) return {*rational, true};
-  throw std::domain_error(not_rational);
+std::optional<Coefficient> coefficient_of(const cl_R& value) {
+  if (const auto rational = rational_near(value)) return Coefficient{*rational, false};
+  if (const auto rational = rational_near(value / gravity)) return Coefficient{*rational, true};
+  return std::nullopt;
 }
 
-std::vector<std::optional<Relation>> relations_at(const model::Robot& robot, const Formulation& formulation,
-                                                  std::size_t rows, const std::vector<std::size_t>& order,
-                                                  std::uint64_t seed) {
+using Relations = std::vector<std::optional<Relation>>;
+
+Relations relations_at(const model::Robot& robot, const Formulation& formulation, std::size_t rows,
+                       const std::vector<std::size_t>& order, std::uint64_t seed) {
   const exact::ExactPoint geometry(seed);
   const std::vector<Vector> columns = columns_at(robot, formulation, rows, geometry);
-  std::vector<std::optional<Relation>> relations(columns.size());
+  Relations relations(columns.size());
   Elimination elimination;
   for (const std::size_t index : order) {
     const auto found = elimination.take(index, columns[index]);
@@ -143,13 +162,32 @@ std::vector<std::optional<Relation>> relations_at(const model::Robot& robot, con
   return relations;
 }
 
+/// Forgets the coefficients that the other geometry has not.
+void forget_what_differs(Relation& relation, const Relation& other) {
+  for (const auto& entry : other) relation.try_emplace(entry.first);
+  for (auto& [index, coefficient] : relation) {
+    const auto place = other.find(index);
+    if (place == other.end() || place->second != coefficient) coefficient.reset();
+  }
+}
+
 }  // namespace
+
+bool is_known(const Relation& relation) {
+  return std::all_of(relation.begin(), relation.end(),
+                     [](const auto& entry) { return entry.second.has_value(); });
+}
 
 std::vector<std::optional<Relation>> relations_of_columns(const model::Robot& robot,
                                                           const Formulation& formulation, std::size_t rows,
                                                           const std::vector<std::size_t>& order) {
-  const auto relations = relations_at(robot, formulation, rows, order, 21);
-  if (relations != relations_at(robot, formulation, rows, order, 22)) throw std::domain_error(not_rational);
+  Relations relations = relations_at(robot, formulation, rows, order, 21);
+  const Relations others = relations_at(robot, formulation, rows, order, 22);
+  for (std::size_t k = 0; k < relations.size(); ++k)
+    if (!relations[k] || !others[k])
+      relations[k].reset();
+    else
+      forget_what_differs(*relations[k], *others[k]);
   return relations;
 }
 

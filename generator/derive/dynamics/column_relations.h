@@ -16,13 +16,17 @@ struct Coefficient {
   friend bool operator==(const Coefficient&, const Coefficient&) = default;
 };
 
-/// A column as a combination of others, by their indices.
-using Relation = std::map<std::size_t, Coefficient>;
+/// A column as a combination of others, by their indices. A coefficient that contains lengths or angles is
+/// not known.
+using Relation = std::map<std::size_t, std::optional<Coefficient>>;
+
+/// True if all coefficients are known: the column can be left out for every geometry.
+bool is_known(const Relation& relation);
 
 /// Finds which columns of a matrix depend on others over all motions of one geometry. The function's outputs
 /// are the matrix column by column; columns are gone through in the given order, and one that depends on
-/// those before it gets a relation to those kept. Works in 80 digits at random motions, for two geometries.
-/// Throws std::domain_error where a coefficient differs between them by more than a factor of gravity.
+/// those before it gets a relation to independent ones. Works in 80 digits at random motions. A coefficient
+/// is known if two geometries have the same.
 std::vector<std::optional<Relation>> relations_of_columns(const model::Robot& robot,
                                                           const Formulation& formulation, std::size_t rows,
                                                           const std::vector<std::size_t>& order);

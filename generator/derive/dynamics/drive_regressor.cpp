@@ -125,17 +125,43 @@ dag::Edge value_of(const Coefficient& coefficient, dag::Graph& graph) {
   return coefficient.of_gravity ? graph.product({factor, graph.symbol(gravity_symbol)}) : factor;
 }
 
-/// Adds the parameter of a column that depends on others to theirs, and says so.
+std::string names_of(const Relation& relation, const std::vector<DriveColumn>& all) {
+  std::string names;
+  for (const auto& entry : relation) names += (names.empty() ? "" : ", ") + all[entry.first].name;
+  return names;
+}
+
+/// Adds the parameter of a column that depends on others to theirs.
 void join(const DriveColumn& column, const Relation& relation, std::vector<DriveColumn>& all,
-          dag::Graph& parameters, std::vector<std::string>& left_out) {
-  std::string others;
+          dag::Graph& parameters) {
   for (const auto& [index, coefficient] : relation) {
     DriveColumn& other = all[index];
-    const dag::Edge part = parameters.product({value_of(coefficient, parameters), column.parameter});
+    const dag::Edge part = parameters.product({value_of(*coefficient, parameters), column.parameter});
     other.parameter = parameters.sum({other.parameter, part});
-    others += (others.empty() ? "" : ", ") + other.name;
   }
-  left_out.push_back(column.name + " has no column of its own: it is part of " + others);
+}
+
+/// Takes out the columns that others make up by known factors; says so of these and of those that stay.
+std::vector<DriveColumn> reduced(std::vector<DriveColumn> columns, const Relations& relations,
+                                 DriveRegressor& result) {
+  const auto leaves = [&](std::size_t k) { return relations[k] && is_known(*relations[k]); };
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (!leaves(k)) continue;
+    join(columns[k], *relations[k], columns, result.regressor.base_parameters.graph);
+    result.left_out.push_back(columns[k].name + " has no column of its own: it is part of " +
+                              names_of(*relations[k], columns));
+  }
+  std::vector<DriveColumn> kept;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (leaves(k)) continue;
+    if (relations[k]) {
+      result.dependent.push_back(kept.size());
+      result.dependences.push_back(columns[k].name + " depends on others by lengths or angles: on " +
+                                   names_of(*relations[k], columns));
+    }
+    kept.push_back(columns[k]);
+  }
+  return kept;
 }
 
 }  // namespace
@@ -143,7 +169,7 @@ void join(const DriveColumn& column, const Relation& relation, std::vector<Drive
 DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vector<bool>& reversed) {
   if (!robot.motors.empty())
     throw std::domain_error("joints follow motors that are no joints, whose drives have no columns");
-  DriveRegressor result{regressor(robot), {}};
+  DriveRegressor result{regressor(robot), {}, {}, {}};
   Regressor& regressor = result.regressor;
   std::vector<DriveColumn> columns = columns_of_links(regressor, model::coordinate_count(robot));
   const std::size_t links = columns.size();
@@ -152,13 +178,7 @@ DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vecto
       columns.push_back(std::move(column));
 
   const Relations relations = relations_of(robot, regressor.formulation, links, columns);
-  std::vector<DriveColumn> kept;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    if (relations[k])
-      join(columns[k], *relations[k], columns, regressor.base_parameters.graph, result.left_out);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    if (!relations[k]) kept.push_back(columns[k]);
-
+  const std::vector<DriveColumn> kept = reduced(std::move(columns), relations, result);
   regressor.formulation.function = function_of(regressor.formulation.function.graph, kept);
   regressor.base_parameters.outputs.clear();
   regressor.names.clear();

@@ -15,11 +15,15 @@ struct DriveRegressor {
   Regressor regressor;
   /// A sentence for each drive parameter without a column: which columns show its effect.
   std::vector<std::string> left_out;
+  /// Columns that depend on others by lengths or angles: they stay, and nothing is added to other parameters.
+  std::vector<std::size_t> dependent;
+  std::vector<std::string> dependences;  ///< a sentence for each of these: which columns it depends on
 };
 
 /// Appends to the columns of the links' base parameters those of rotor inertia, viscous and Coulomb friction
-/// and offset of each joint. A column that depends on others is left out, and its parameter is added to
-/// theirs (column_relations.h); the certificate of the function confirms it. `reversed`: joints whose axes
+/// and offset of each joint. A column that depends on others by known factors is left out, and its parameter
+/// is added to theirs (column_relations.h); the certificate of the function confirms it. Throws
+/// std::domain_error if joints follow motors, whose drives have no columns. `reversed`: joints whose axes
 /// have another sense in the description, where offsets count along the described ones; none if none has.
 DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vector<bool>& reversed = {});
 

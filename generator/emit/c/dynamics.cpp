@@ -187,7 +187,8 @@ Function identifiable_parameters(const model::Robot& robot,
        geometry(robot),
        {"double ", "gravity"},
        result_array(code.outputs.size())}};
-  for (const std::string& line : drive_regressor.left_out) function.doc.push_back(line + ".");
+  for (const auto* lines : {&drive_regressor.left_out, &drive_regressor.dependences})
+    for (const std::string& line : *lines) function.doc.push_back(line + ".");
   function.statements = temporaries(code);
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
     function.statements.push_back("result[" + std::to_string(i) + "] = " + code.outputs[i].expression + ";");

@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "derive/dynamics/drive_parameters.h"
 #include "emit/ast/angle.h"
 #include "emit/ast/literal.h"
@@ -290,13 +292,16 @@ json named_parameters(const Code& code, const derive::dynamics::Regressor& regre
 
 json identifiable_parameter_values(const model::Robot& robot,
                                    const derive::dynamics::DriveRegressor& drive_regressor) {
-  const auto& [regressor, left_out] = drive_regressor;
+  const derive::dynamics::Regressor& regressor = drive_regressor.regressor;
   const Code code = identifiable_parameters_code(robot, regressor);
   return {{"links", std::to_string(robot.joints.size())},
           {"identifiable_parameters", named_parameters(code, regressor)},
           {"identifiable_count", code.outputs.size()},
           {"parameter_set_up", values_of(code.temporaries)},
-          {"left_out", lines_of(left_out)}};
+          {"left_out", lines_of(drive_regressor.left_out)},
+          {"dependences", lines_of(drive_regressor.dependences)},
+          {"dependent_count", drive_regressor.dependent.size()},
+          {"dependent", fmt::format("{}", fmt::join(drive_regressor.dependent, ", "))}};
 }
 
 Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
