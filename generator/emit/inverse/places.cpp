@@ -63,7 +63,7 @@ Expression length_place(const Expression& work, const std::string& unknown) {
 }
 
 ast::Statements joint_values(const LoweredPlan& plan, const derive::inverse::Step& step,
-                             const Expression& work) {
+                             const Expression& work, const std::function<Expression(int)>& place_of) {
   ast::Statements result;
   for (const int joint : step.joints()) {
     const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
@@ -72,9 +72,14 @@ ast::Statements joint_values(const LoweredPlan& plan, const derive::inverse::Ste
         value.revolute ? ast::call(Kind::runtime, "output_angle",
                                    {cosine, ast::member(work, value.sine), length_of(plan, value, work)})
                        : cosine;
-    result.push_back(ast::assign(joint_place(plan.plan, joint), angle));
+    result.push_back(ast::assign(place_of(joint), angle));
   }
   return result;
+}
+
+ast::Statements joint_values(const LoweredPlan& plan, const derive::inverse::Step& step,
+                             const Expression& work) {
+  return joint_values(plan, step, work, [&](int joint) { return joint_place(plan.plan, joint); });
 }
 
 Expression step_call(const LoweredPlan& plan, std::size_t step, const Expression& target,

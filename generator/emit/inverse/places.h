@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,11 @@ ast::Expression joint_place(const derive::inverse::Plan& plan, int joint, const 
 /// Place of the length of an unknown's direction.
 ast::Expression length_place(const ast::Expression& work, const std::string& unknown);
 
-/// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
+/// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent. `place_of`
+/// says where a joint's value goes; the other form puts it into the row.
+ast::Statements joint_values(const derive::inverse::LoweredPlan& plan, const derive::inverse::Step& step,
+                             const ast::Expression& work,
+                             const std::function<ast::Expression(int joint)>& place_of);
 ast::Statements joint_values(const derive::inverse::LoweredPlan& plan, const derive::inverse::Step& step,
                              const ast::Expression& work);
 
