@@ -13,11 +13,16 @@ namespace kind = derive::inverse::kind;
 using derive::inverse::Plan;
 using derive::inverse::Step;
 
+template <class Value>
+bool contains(const std::vector<Value>& list, const Value& value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
 /// Goes through the steps in their order. A level is the number of forks up to a step, itself among them:
 /// what it leaves is known in that many loops.
 class Search {
  public:
-  explicit Search(const Plan& plan) : plan_(plan) {}
+  Search(const Plan& plan, bool all) : plan_(plan), all_(all) {}
 
   std::vector<EarlyFork> run() {
     for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
@@ -25,31 +30,37 @@ class Search {
       for (const std::string& name : derive::inverse::writes(plan_.steps[i])) writer_[name] = i;
       levels_.push_back(forks_);
     }
-    for (EarlyFork& fork : found_) hand_on(fork);
+    for (EarlyFork& fork : found_) connect(fork);
     return found_;
   }
 
  private:
-  /// Steps before this one of which it reads values.
-  [[nodiscard]] std::vector<std::size_t> read_by(std::size_t index) const {
-    std::vector<std::size_t> steps;
-    for (const std::string& name : derive::inverse::reads(plan_.steps[index]))
-      if (const auto writer = writer_.find(name); writer != writer_.end()) steps.push_back(writer->second);
-    return steps;
+  /// The step that leaves a value; nothing for the target's.
+  [[nodiscard]] const std::size_t* writer_of(const std::string& name) const {
+    const auto writer = writer_.find(name);
+    return writer == writer_.end() ? nullptr : &writer->second;
   }
   /// How many loops have to be around a step, with those of a fork that it goes with left out.
   [[nodiscard]] int depth_of(std::size_t index, const EarlyFork* with = nullptr) const {
     int depth = 0;
-    for (const std::size_t other : read_by(index))
-      if (with == nullptr || !with->has(other)) depth = std::max(depth, levels_[other]);
+    for (const std::string& name : derive::inverse::reads(plan_.steps[index]))
+      if (const std::size_t* writer = writer_of(name); writer != nullptr)
+        if (with == nullptr || !with->has(*writer)) depth = std::max(depth, levels_[*writer]);
     return depth;
+  }
+  [[nodiscard]] bool reads_from(std::size_t index, const EarlyFork& fork) const {
+    const std::vector<std::string> names = derive::inverse::reads(plan_.steps[index]);
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      const std::size_t* writer = writer_of(name);
+      return writer != nullptr && fork.has(*writer);
+    });
   }
 
   void add_fork(std::size_t index) {
     const Step& step = plan_.steps[index];
     const int depth = depth_of(index);
-    if (depth < forks_ && !step.is_quartic() && !step.keeps_length())
-      found_.push_back({index, {}, forks_, depth, {}});
+    if ((all_ || depth < forks_) && !step.is_quartic() && !step.keeps_length())
+      found_.push_back({index, {}, forks_, depth, {}, {}});
     ++forks_;
   }
 
@@ -57,26 +68,24 @@ class Search {
   void follow(std::size_t index) {
     const Step& step = plan_.steps[index];
     if (step.is<kind::Require>() || step.keeps_length()) return;
-    const auto read = read_by(index);
-    const auto fork = std::find_if(found_.rbegin(), found_.rend(), [&](const EarlyFork& each) {
-      return std::any_of(read.begin(), read.end(), [&](std::size_t other) { return each.has(other); });
-    });
+    const auto fork = std::find_if(found_.rbegin(), found_.rend(),
+                                   [&](const EarlyFork& each) { return reads_from(index, each); });
     if (fork != found_.rend() && depth_of(index, &*fork) <= fork->depth) fork->behind.push_back(index);
   }
 
-  void hand_on(EarlyFork& fork) const {
-    for (std::size_t i = fork.step + 1; i < plan_.steps.size(); ++i) {
-      if (fork.has(i)) continue;
+  /// Lists the values that go into a fork and out of it.
+  void connect(EarlyFork& fork) const {
+    for (std::size_t i = fork.step; i < plan_.steps.size(); ++i)
       for (const std::string& name : derive::inverse::reads(plan_.steps[i])) {
-        const auto writer = writer_.find(name);
-        const bool is_its = writer != writer_.end() && fork.has(writer->second);
-        if (is_its && std::find(fork.handed.begin(), fork.handed.end(), name) == fork.handed.end())
-          fork.handed.push_back(name);
+        const std::size_t* writer = writer_of(name);
+        if (writer == nullptr || fork.has(i) == fork.has(*writer)) continue;
+        std::vector<std::string>& list = fork.has(i) ? fork.taken : fork.handed;
+        if (!contains(list, name)) list.push_back(name);
       }
-    }
   }
 
   const Plan& plan_;
+  bool all_;
   int forks_ = 0;
   std::vector<int> levels_;                    ///< by step
   std::map<std::string, std::size_t> writer_;  ///< by the value's name
@@ -85,10 +94,8 @@ class Search {
 
 }  // namespace
 
-bool EarlyFork::has(std::size_t index) const {
-  return index == step || std::find(behind.begin(), behind.end(), index) != behind.end();
-}
+bool EarlyFork::has(std::size_t index) const { return index == step || contains(behind, index); }
 
-std::vector<EarlyFork> early_forks(const Plan& plan) { return Search(plan).run(); }
+std::vector<EarlyFork> early_forks(const Plan& plan, bool all) { return Search(plan, all).run(); }
 
 }  // namespace qvgen::emit

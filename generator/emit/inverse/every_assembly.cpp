@@ -10,17 +10,61 @@
 namespace qvgen::emit {
 namespace {
 
+using ast::Element;
 using ast::Expression;
 using ast::Statements;
 using Kind = Expression::Kind;
 
+/// Arrays with an entry for each sign of a fork that is solved early.
+class Stored {
+ public:
+  Stored(const derive::inverse::LoweredPlan& plan, const EarlyFork& fork) : plan_(plan), fork_(fork) {}
+
+  [[nodiscard]] Expression branches() const {
+    return ast::name("branch_" + plan_.plan.steps[fork_.step].unknown, {"Branch"});
+  }
+  [[nodiscard]] static Expression value(const std::string& name) { return ast::name("both_" + name); }
+  [[nodiscard]] Expression joint(int joint) const {
+    return value("q" + std::to_string(plan_.plan.places[static_cast<std::size_t>(joint)]));
+  }
+  /// An array's entry for a round of a loop over signs.
+  [[nodiscard]] static Expression entry(const Expression& array, const std::string& round) {
+    return ast::entry(array, ast::name(round, {"int"}), array.type);
+  }
+  [[nodiscard]] Expression first_exists() const {
+    return ast::member(ast::entry(branches(), ast::whole(0)), "exists");
+  }
+
+  /// Joints that the fork's steps leave.
+  [[nodiscard]] std::vector<int> joints() const {
+    std::vector<int> all = plan_.plan.steps[fork_.step].joints();
+    for (const std::size_t behind : fork_.behind)
+      for (const int joint : plan_.plan.steps[behind].joints()) all.push_back(joint);
+    return all;
+  }
+  [[nodiscard]] Statements declared() const {
+    Statements result{ast::array({"Branch", Element::plain}, branches().text, 2)};
+    for (const std::string& name : fork_.handed)
+      result.push_back(ast::array({"real", Element::plain}, value(name).text, 2));
+    for (const int each : joints())
+      result.push_back(ast::array({"real", Element::plain}, joint(each).text, 2));
+    return result;
+  }
+
+ private:
+  const derive::inverse::LoweredPlan& plan_;
+  const EarlyFork& fork_;
+};
+
 class EveryAssembly : public Walk {
  public:
-  explicit EveryAssembly(const derive::inverse::LoweredPlan& plan)
-      : Walk(plan, ast::Element::plain), early_(early_forks(plan.plan)) {}
+  EveryAssembly(const derive::inverse::LoweredPlan& plan, Signs signs)
+      : Walk(plan, Element::plain),
+        signs_(signs),
+        early_(early_forks(plan.plan, signs == Signs::side_by_side)) {}
 
   Statements write() {
-    Statements all{ast::declare({"Work", ast::Element::plain}, "w")};
+    Statements all{ast::declare({"Work", Element::plain}, "w")};
     follow(with_late_angles(plan_.plan, branch_tree(plan_.plan, false)), top(), all);
     return all;
   }
@@ -61,39 +105,18 @@ class EveryAssembly : public Walk {
         std::find_if(early_.begin(), early_.end(), [&](const EarlyFork& fork) { return fork.has(step); });
     return found == early_.end() ? nullptr : &*found;
   }
-  /// Array with a value for each sign of a fork.
-  [[nodiscard]] static std::string both(const std::string& value) { return "both_" + value; }
-  [[nodiscard]] std::string branches_of(const EarlyFork& fork) const {
-    return "branch_" + step(fork.step).unknown;
-  }
-  /// The entry, for the sign of a loop's round, of an array.
-  [[nodiscard]] static Expression stored(const std::string& array, const std::string& loop_variable,
-                                         const ast::Type& type = {}) {
-    return ast::entry(ast::name(array), ast::name(loop_variable, {"int"}), type);
-  }
-  [[nodiscard]] std::string joint_array(int joint) const {
-    return both("q" + std::to_string(plan_.plan.places[static_cast<std::size_t>(joint)]));
-  }
-  [[nodiscard]] std::vector<int> joints_of(const EarlyFork& fork) const {
-    std::vector<int> all = step(fork.step).joints();
-    for (const std::size_t behind : fork.behind)
-      for (const int joint : step(behind).joints()) all.push_back(joint);
-    return all;
-  }
+  [[nodiscard]] Stored stored(const EarlyFork& fork) const { return {plan_, fork}; }
 
-  /// Solves forks that read nothing of the fork which comes next.
   void solve_early(const Place& at, Statements& to) {
     for (const EarlyFork& fork : early_)
-      if (fork.depth == at.forks) solve(fork, at, to);
+      if (fork.depth == at.forks)
+        signs_ == Signs::in_turn ? solve_in_turn(fork, at, to) : solve_side_by_side(fork, at, to);
   }
 
-  void solve(const EarlyFork& fork, const Place& at, Statements& to) {
-    const std::string sign = "sign" + std::to_string(fork.number),
-                      before = "before" + std::to_string(fork.number);
-    to.push_back(ast::array({"Branch", number_}, branches_of(fork), 2));
-    for (const std::string& name : fork.handed) to.push_back(ast::array({"real", number_}, both(name), 2));
-    for (const int joint : joints_of(fork))
-      to.push_back(ast::array({"real", number_}, joint_array(joint), 2));
+  void solve_in_turn(const EarlyFork& fork, const Place& at, Statements& to) {
+    const std::string number = std::to_string(fork.number), sign = "sign" + number,
+                      before = "before" + number;
+    ast::append(to, stored(fork).declared());
     to.push_back(ast::constant({"Branch", number_}, before, branch(at.work)));
     const ast::Statement resume = ast::evaluate(
         ast::method(branch(at.work), "resume", {ast::reference(ast::name(before, {"Branch", number_}))}));
@@ -101,37 +124,59 @@ class EveryAssembly : public Walk {
     solve_and_store(fork, sign, at, rounds.body);
     to.push_back(rounds);
     to.push_back(resume);
-    const Expression first = ast::entry(ast::name(branches_of(fork)), ast::whole(0));
-    to.push_back(ast::guard(ast::is_not(ast::member(first, "exists")), leave(at)));
+    to.push_back(ast::guard(ast::is_not(stored(fork).first_exists()), leave(at)));
   }
 
   void solve_and_store(const EarlyFork& fork, const std::string& sign, const Place& at, Statements& to) {
-    const ast::Statement store = ast::assign(stored(branches_of(fork), sign), branch(at.work));
+    const Stored in = stored(fork);
+    const ast::Statement store = ast::assign(Stored::entry(in.branches(), sign), branch(at.work));
     to.push_back(ast::evaluate(call(fork.step, at, ast::sign_of_round(sign, number_))));
     to.push_back(store);
     to.push_back(ast::guard(ast::is_not(mark(at.work, "exists")), ast::leave_loop()));
     for (const std::size_t behind : fork.behind) to.push_back(ast::evaluate(call(behind, at)));
     if (!fork.behind.empty()) to.push_back(store);
     for (const std::string& name : fork.handed)
-      to.push_back(ast::assign(stored(both(name), sign), ast::member(at.work, name)));
-    store_joints(fork.step, sign, at, to);
-    for (const std::size_t behind : fork.behind) store_joints(behind, sign, at, to);
+      to.push_back(ast::assign(Stored::entry(Stored::value(name), sign), ast::member(at.work, name)));
+    for (const int joint : in.joints())
+      to.push_back(ast::assign(Stored::entry(in.joint(joint), sign), joint_value(plan_, joint, at.work)));
   }
 
-  void store_joints(std::size_t index, const std::string& sign, const Place& at, Statements& to) const {
-    const auto joint_of = [&](int joint) { return stored(joint_array(joint), sign); };
-    ast::append(to, joint_values(plan_, step(index), at.work, joint_of));
+  void solve_side_by_side(const EarlyFork& fork, const Place& at, Statements& to) {
+    Place both = at;
+    both.work = work("both" + std::to_string(fork.number), Element::lanes);
+    to.push_back(ast::declare({"Work", Element::lanes}, both.work.text));
+    to.push_back(ast::assign(branch(both.work), ast::call(Kind::runtime, "for_both", {branch(at.work)})));
+    for (const std::string& name : fork.taken)
+      to.push_back(ast::assign(ast::member(both.work, name), ast::member(at.work, name)));
+    to.push_back(ast::evaluate(call(fork.step, both, ast::sign({1, -1}, Element::lanes))));
+    to.push_back(ast::guard(ast::is_not(mark(both.work, "exists")), leave(at)));
+    for (const std::size_t behind : fork.behind) to.push_back(ast::evaluate(call(behind, both)));
+    store_lanes(fork, both.work, to);
+  }
+
+  void store_lanes(const EarlyFork& fork, const Expression& both, Statements& to) const {
+    const Stored in = stored(fork);
+    ast::append(to, in.declared());
+    for (int sign = 0; sign < 2; ++sign)
+      to.push_back(ast::assign(ast::entry(in.branches(), ast::whole(sign)),
+                               ast::call(Kind::runtime, "of_sign", {branch(both), ast::whole(sign)})));
+    const auto store = [&](const Expression& value, const Expression& array) {
+      to.push_back(ast::evaluate(ast::method(value, "store", {array})));
+    };
+    for (const std::string& name : fork.handed) store(ast::member(both, name), Stored::value(name));
+    for (const int joint : in.joints()) store(joint_value(plan_, joint, both), in.joint(joint));
   }
 
   /// The loop over a fork's signs that takes what has been stored for each.
   void loop_of_stored(const BranchNode& node, const EarlyFork& fork, const Place& at, Statements& to) {
     auto [head, in] = open(step(node.step), ast::whole(2), at, to);
-    const Expression other = stored(branches_of(fork), in.loop_variable, {"Branch", number_});
-    head.body.push_back(ast::evaluate(
-        ast::call(Kind::runtime, "join", {ast::reference(other), ast::reference(branch(in.work))})));
+    const auto entry = [&](const Expression& array) { return Stored::entry(array, in.loop_variable); };
+    const Expression own = ast::reference(entry(stored(fork).branches()));
+    head.body.push_back(
+        ast::evaluate(ast::call(Kind::runtime, "join", {own, ast::reference(branch(in.work))})));
     head.body.push_back(ast::guard(ast::is_not(mark(in.work, "exists")), ast::leave_loop()));
     for (const std::string& name : fork.handed)
-      head.body.push_back(ast::assign(ast::member(in.work, name), stored(both(name), in.loop_variable)));
+      head.body.push_back(ast::assign(ast::member(in.work, name), entry(Stored::value(name))));
     follow(node.body, in, head.body);
     to.push_back(head);
   }
@@ -144,16 +189,18 @@ class EveryAssembly : public Walk {
     if (fork == nullptr) return Walk::joints(index, at, to);
     const std::string round = "k" + std::to_string(fork->number);
     for (const int joint : step(index).joints())
-      to.push_back(ast::assign(joint_place(plan_.plan, joint), stored(joint_array(joint), round)));
+      to.push_back(
+          ast::assign(joint_place(plan_.plan, joint), Stored::entry(stored(*fork).joint(joint), round)));
   }
 
+  Signs signs_;
   std::vector<EarlyFork> early_;
 };
 
 }  // namespace
 
-ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan) {
-  return EveryAssembly(plan).write();
+Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs) {
+  return EveryAssembly(plan, signs).write();
 }
 
 }  // namespace qvgen::emit
