@@ -254,6 +254,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   for (const auto& [name, field] : emit::geometry_fields(robot)) geometry.push_back({{"field", field}});
   json given_values = values_of_known(assembly, in_cpp());
   const json given_angles = in_one_call(given_values);
+  const emit::CppPrinter in_signs("inverse::BothSigns");
+  const std::vector<std::string> arguments = {"t", "q", "found"};
   return {{"function", variant.function},
           {"type", variant.type},
           {"space", variant.space},
@@ -283,7 +285,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"work_fields", fields_of(emit::work_fields(plan))},
           {"target", emit::target_values(robot, plan, emit::cpp())},
           {"steps", emit::step_values(robot, plan, emit::cpp())},
-          {"lines", emit::lines_of(emit::cpp().body({"t", "q", "found"}, emit::every_assembly(plan)))}};
+          {"lines",
+           emit::lines_of(in_signs.body(arguments, emit::every_assembly(plan, emit::Signs::side_by_side)))}};
 }
 
 void add_gaps_in_c(const AssemblyPlan& assembly, json& values) {
@@ -307,7 +310,8 @@ json variant_in_c(const LoopVariant& variant, const AssemblyPlan& assembly, json
     values["closing"] = "t->tolerance";
   values["target"] = emit::target_values(assembly.robot, plan, printer);
   values["steps"] = emit::step_values(assembly.robot, plan, printer);
-  values["lines"] = emit::lines_of(printer.body({"t", "q", "found"}, emit::every_assembly(plan)));
+  values["lines"] =
+      emit::lines_of(printer.body({"t", "q", "found"}, emit::every_assembly(plan, emit::Signs::in_turn)));
   return values;
 }
 

@@ -77,11 +77,16 @@ double difference(const reference::LoopMechanism& mechanism, MujocoLoops& peer,
 }
 
 struct Timed {
-  double assemble, rates, dynamics, peer, apart;
+  double assemble, inverse, rates, dynamics, peer, apart;
 };
 
 void print(const char* name, const Timed& t) {
-  std::printf("%-14s %9.0f %9.0f %9.0f", name, t.assemble, t.rates, t.dynamics);
+  std::printf("%-14s %9.0f", name, t.assemble);
+  if (t.inverse > 0)
+    std::printf(" %9.0f", t.inverse);
+  else
+    std::printf(" %9s", "");
+  std::printf(" %9.0f %9.0f", t.rates, t.dynamics);
   if (t.peer > 0)
     std::printf(" %9.0f %8.1fx\n", t.peer, t.peer / t.dynamics);
   else
@@ -116,6 +121,7 @@ double measure(int rounds, bool with_peer) {
     return nanoseconds(rounds, at.size(), all);
   };
   t.assemble = timed([&](std::size_t i) { return Of::assemble(a[i])[0].q[0]; });
+  if constexpr (Of::has_inverse) t.inverse = timed([&](std::size_t i) { return Of::inverse(q[i])[0].q[0]; });
   t.rates = timed([&](std::size_t i) { return Of::rates(q[i])(0, 0); });
   const Driven force = Driven::Constant(0.7), still = Driven::Zero();
   t.dynamics = timed([&](std::size_t i) { return Of::dynamics(q[i], still, force)[0]; });
@@ -134,7 +140,8 @@ double measure(int rounds, bool with_peer) {
 
 int main(int count, char** arguments) {
   const int rounds = count > 1 ? std::atoi(arguments[1]) : 200;
-  std::printf("%-14s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "rates", "dynamics", "MuJoCo", "ratio");
+  std::printf("%-14s %9s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "inverse", "rates", "dynamics",
+              "MuJoCo", "ratio");
   double worst = 0;
 #define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(rounds, has_peer));
   QVGEN_MEASURED(QVGEN_MEASURE)

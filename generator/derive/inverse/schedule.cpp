@@ -17,7 +17,10 @@ void collect(const symbolic::Program& program, std::set<std::string>& names) {
   for (const auto& step : program.steps()) names.erase(step.name.get_name());
 }
 
-/// Names that a step leaves.
+bool moves(const Step& step) { return step.is<kind::Half>(); }
+
+}  // namespace
+
 std::vector<std::string> writes(const Step& step) {
   std::vector<std::string> names;
   for (const auto& output : step.after.outputs()) names.push_back(output.name);
@@ -28,10 +31,6 @@ std::vector<std::string> writes(const Step& step) {
   }
   return names;
 }
-
-bool moves(const Step& step) { return step.is<kind::Half>(); }
-
-}  // namespace
 
 std::vector<std::string> reads(const Step& step) {
   std::set<std::string> names;

@@ -14,6 +14,8 @@ void prune(Plan& plan);
 
 /// Names of symbols that a step reads.
 std::vector<std::string> reads(const Step& step);
+/// Names of values that a step leaves.
+std::vector<std::string> writes(const Step& step);
 
 /// True if a step reads what half angles leave, itself.
 bool reads_halves(const Plan& plan, const Step& step);

@@ -7,6 +7,7 @@
 
 #include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
+#include "derive/loops/hoist.h"
 #include "derive/loops/named_angles.h"
 #include "derive/loops/solver.h"
 #include "model/private_names.h"
@@ -347,6 +348,7 @@ void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described)
     step.degenerate = with_described_names(step.degenerate, assembly.robot, described);
   }
   plan.structure = "closed loops, one after the other";
+  hoist(plan);
   inverse::prune(plan);
 }
 

@@ -21,6 +21,10 @@ Statement deduced(const Type& type, const std::string& name, const Expression& v
   return result;
 }
 
+Statement array(const Type& type, const std::string& name, int size) {
+  return {Kind::declare_array, name, type, {whole(size)}};
+}
+
 Statement row(const std::string& name, int size, Element number) {
   return {Kind::declare_row, name, {"real", number}, {whole(size)}};
 }

@@ -10,18 +10,19 @@ namespace qvgen::emit::ast {
 
 struct Statement {
   enum class Kind {
-    declare,      ///< a variable `name` of `type`; of its first value, if there is one
-    declare_row,  ///< an array of joint values; the value is its size
-    assign,       ///< the last value goes to all places before it
-    evaluate,     ///< a call
-    guard,        ///< a statement that is done if the value holds, on the same line
-    choose,       ///< statements that are done if the value holds
-    loop,         ///< rounds with a variable `name` from 0; the value is how many
-    leave_loop,   ///< no further rounds
-    next_round,   ///< the next round
-    give,         ///< returns the value, if there is one
-    scope,        ///< names that end with it
-    gap,          ///< an empty line, in languages that write one
+    declare,        ///< a variable `name` of `type`; of its first value, if there is one
+    declare_array,  ///< an array `name` of values of `type`; the value is its size
+    declare_row,    ///< an array of joint values; the value is its size
+    assign,         ///< the last value goes to all places before it
+    evaluate,       ///< a call
+    guard,          ///< a statement that is done if the value holds, on the same line
+    choose,         ///< statements that are done if the value holds
+    loop,           ///< rounds with a variable `name` from 0; the value is how many
+    leave_loop,     ///< no further rounds
+    next_round,     ///< the next round
+    give,           ///< returns the value, if there is one
+    scope,          ///< names that end with it
+    gap,            ///< an empty line, in languages that write one
     take_nearer,  ///< takes the other branch if it is nearer to the seed: other, its distance, work, distance
     nearest_root  ///< takes the root nearest to the seed; `name` numbers it: take, distance, branches
   };
@@ -44,6 +45,7 @@ Statement declare(const Type& type, const std::string& name);
 Statement constant(const Type& type, const std::string& name, const Expression& value);
 /// Declares a variable whose type the value says.
 Statement deduced(const Type& type, const std::string& name, const Expression& value);
+Statement array(const Type& type, const std::string& name, int size);
 Statement row(const std::string& name, int size, Element number = Element::plain);
 Statement assign(const Expression& place, const Expression& value);
 Statement evaluate(const Expression& call);

@@ -192,6 +192,8 @@ Lines Printer::spelled(const Statement& s) const {
   switch (s.kind) {
     case Kind::declare:
       return declared(s);
+    case Kind::declare_array:
+      return {type(s.type) + " " + s.name + "[" + text(s.values[0]) + "];"};
     case Kind::declare_row:
       return {"double " + s.name + "[row_size];"};
     case Kind::assign:

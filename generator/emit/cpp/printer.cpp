@@ -154,6 +154,8 @@ ast::Lines CppPrinter::spelled(const Statement& s) const {
   switch (s.kind) {
     case Kind::declare:
       return declared(s);
+    case Kind::declare_array:
+      return {type(s.type) + " " + s.name + "[" + text(s.values[0]) + "];"};
     case Kind::declare_row:
       if (s.type.number == Element::lanes) return {lane_ + " " + s.name + "[" + text(s.values[0]) + "];"};
       return {"qvgen::Joints<" + text(s.values[0]) + "> " + s.name + ";"};

@@ -6,8 +6,11 @@
 
 namespace qvgen::emit {
 
-/// Follows all branches of a plan of closed loops one after the other. Each row goes to the generated
-/// function `take(t, q, label, branch, found)`, which puts the given joints beside it.
-ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan);
+/// How the two signs of a fork are solved: one after the other, or in two lanes.
+enum class Signs { in_turn, side_by_side };
+
+/// Follows all branches of a plan of closed loops. Each row goes to the generated function
+/// `take(t, q, label, branch, found)`, which puts the given joints beside it.
+ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs);
 
 }  // namespace qvgen::emit

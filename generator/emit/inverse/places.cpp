@@ -62,18 +62,19 @@ Expression length_place(const Expression& work, const std::string& unknown) {
   return ast::member(work, names::length(unknown), {"real"});
 }
 
+Expression joint_value(const LoweredPlan& plan, int joint, const Expression& work) {
+  const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
+  const Expression cosine = ast::member(work, value.cosine, {"real"});
+  if (!value.revolute) return cosine;
+  return ast::call(Kind::runtime, "output_angle",
+                   {cosine, ast::member(work, value.sine), length_of(plan, value, work)});
+}
+
 ast::Statements joint_values(const LoweredPlan& plan, const derive::inverse::Step& step,
                              const Expression& work) {
   ast::Statements result;
-  for (const int joint : step.joints()) {
-    const auto& value = plan.plan.joints[static_cast<std::size_t>(joint)];
-    const Expression cosine = ast::member(work, value.cosine, {"real"});
-    const Expression angle =
-        value.revolute ? ast::call(Kind::runtime, "output_angle",
-                                   {cosine, ast::member(work, value.sine), length_of(plan, value, work)})
-                       : cosine;
-    result.push_back(ast::assign(joint_place(plan.plan, joint), angle));
-  }
+  for (const int joint : step.joints())
+    result.push_back(ast::assign(joint_place(plan.plan, joint), joint_value(plan, joint, work)));
   return result;
 }
 

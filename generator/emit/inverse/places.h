@@ -26,7 +26,9 @@ ast::Expression joint_place(const derive::inverse::Plan& plan, int joint, const 
 /// Place of the length of an unknown's direction.
 ast::Expression length_place(const ast::Expression& work, const std::string& unknown);
 
-/// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.
+/// Value of a joint that its step leaves in `work`, an angle by its arctangent.
+ast::Expression joint_value(const derive::inverse::LoweredPlan& plan, int joint, const ast::Expression& work);
+/// Assignments of the joints' values that a step leaves in `work`.
 ast::Statements joint_values(const derive::inverse::LoweredPlan& plan, const derive::inverse::Step& step,
                              const ast::Expression& work);
 

@@ -39,12 +39,16 @@ void Walk::joints(std::size_t step, const Place& at, Statements& to) {
   ast::append(to, joint_values(plan_, plan_.plan.steps[step], at.work));
 }
 
+void Walk::solve(std::size_t index, const Place& at, Statements& to) {
+  to.push_back(ast::evaluate(call(index, at)));
+  if (step(index).is<kind::Require>()) to.push_back(leave_if_none(at));
+}
+
 void Walk::follow(const BranchTree& tree, const Place& at, Statements& to) {
   for (const BranchNode& node : tree) {
     switch (node.kind) {
       case BranchNode::Kind::solve:
-        to.push_back(ast::evaluate(call(node.step, at)));
-        if (step(node.step).is<kind::Require>()) to.push_back(leave_if_none(at));
+        solve(node.step, at, to);
         break;
       case BranchNode::Kind::joints:
         joints(node.step, at, to);

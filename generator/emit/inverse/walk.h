@@ -33,6 +33,8 @@ class Walk {
   virtual void wrist(std::size_t step, const Place& at, ast::Statements& to) = 0;
   virtual void row(const Place& at, ast::Statements& to) = 0;
   virtual void joints(std::size_t step, const Place& at, ast::Statements& to);
+  /// A step with one value.
+  virtual void solve(std::size_t step, const Place& at, ast::Statements& to);
 
   [[nodiscard]] Place top() const;
   void follow(const BranchTree& tree, const Place& at, ast::Statements& to);

@@ -49,6 +49,14 @@ void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int
   append(static_cast<Solutions<dof, capacity>&>(found), q, branch, is_free);
 }
 
+/// Marks a branch with what is so of another one, which was followed apart from it.
+template <typename Scalar>
+void join(const Branch<Scalar>& other, Branch<Scalar>& branch) {
+  branch.exists = branch.exists & other.exists;
+  branch.continuum = branch.continuum | other.continuum;
+  branch.unsure = branch.unsure | other.unsure;
+}
+
 /// How far outside of an equation's range, as a share of it, a step of closed loops is still taken.
 inline constexpr double end_of_loops = 1e-14;
 

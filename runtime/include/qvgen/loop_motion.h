@@ -28,8 +28,9 @@ template <std::size_t count, int dof, int columns>
 Eigen::Matrix<double, static_cast<int>(count), columns> rows_of(
     const std::array<LimbJoint, count>& limb, const Eigen::Matrix<double, dof, columns>& rows) {
   Eigen::Matrix<double, static_cast<int>(count), columns> result;
-  for (std::size_t i = 0; i < count; ++i)
-    result.row(static_cast<int>(i)) = limb[i].ratio * rows.row(limb[i].joint);
+  for (int j = 0; j < columns; ++j)
+    for (std::size_t i = 0; i < count; ++i)
+      result(static_cast<int>(i), j) = limb[i].ratio * rows(limb[i].joint, j);
   return result;
 }
 

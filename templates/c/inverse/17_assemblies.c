@@ -21,6 +21,13 @@ static Boundary boundary_of_loops(void) {
   return b;
 }
 
+/// Marks a branch with what is so of another one, which was followed apart from it.
+static inline void join(const Branch* other, Branch* branch) {
+  branch->exists = branch->exists && other->exists;
+  branch->continuum = branch->continuum || other->continuum;
+  branch->unsure = branch->unsure || other->unsure;
+}
+
 /// Squared distance of two rows, turns the short way round.
 static double joint_square(const double* from, const double* to) {
   double off[dof];

@@ -132,26 +132,33 @@ template <typename Scalar>
 class Circle {
  public:
   Circle(const TwoTurns<Scalar>& e, const Harmonics<Scalar, 4>& f, int most)
-      : f_(f), third_(third_bound(f)), noise_(noise_of(third_)), solutions_(e, most) {}
+      : f_(f), fourth_(fourth_bound(f)), noise_(noise_of(fourth_)), solutions_(e, most) {}
 
   /// False if arcs without a verdict are so many that the equations hold along a curve.
   bool search() {
-    const Rotor<Scalar> first = turn_by(0), next = first * first;
-    Rotor<Scalar> middle = {-first.cosine, -first.sine};
-    for (int i = 0; i < first_arcs; i += 2) {
-      const Rotor<Scalar> second = middle * next;
-      visit({middle, second}, half_of_first, 1);
-      middle = second * next;
-    }
+    std::array<Rotor<Scalar>, half_of_arcs> middles;
+    for (std::size_t i = 0; i < half_of_arcs; ++i)
+      middles[i] = {Scalar(first_middles[i][0]), Scalar(first_middles[i][1])};
+    const Jets<Scalar, 2 * half_of_arcs> at = jets_across(f_, middles);
+    for (std::size_t i = 0; i < half_of_arcs; ++i) visit(middles[i], at.at(i), half_of_first, 1);
+    for (std::size_t i = 0; i < half_of_arcs; ++i)
+      visit({-middles[i].cosine, -middles[i].sine}, at.at(half_of_arcs + i), half_of_first, 1);
     return visits_ < most_visits;
   }
   [[nodiscard]] const TurnPairs<Scalar>& found() const { return solutions_.found(); }
 
  private:
   using Places = std::array<Rotor<Scalar>, 2>;
-  static constexpr int first_arcs = 16, most_visits = 1500;
+  static constexpr int most_visits = 1500;
+  static constexpr std::size_t half_of_arcs = 8;
   static constexpr std::size_t depths = 9;
-  static constexpr double half_of_first = 3.14159265358979323846 / first_arcs;
+  static constexpr double half_of_first = 3.14159265358979323846 / (2 * half_of_arcs);
+  /// Cosine and sine of the middles of the first arcs from -pi to 0.
+  static constexpr double first_middles[half_of_arcs][2] = {
+      {-0.9807852804032304, -0.1950903220161286}, {-0.8314696123025453, -0.5555702330196022},
+      {-0.555570233019602, -0.8314696123025455},  {-0.1950903220161282, -0.9807852804032304},
+      {0.19509032201612833, -0.9807852804032304}, {0.5555702330196021, -0.8314696123025453},
+      {0.8314696123025453, -0.5555702330196021},  {0.9807852804032304, -0.19509032201612847}};
   /// Cosine and sine of half_of_first, of half of it, ...
   static constexpr double turns[depths + 1][2] = {
       {0.9807852804032304, 0.19509032201612825},   {0.9951847266721969, 0.0980171403295606},
@@ -179,17 +186,22 @@ class Circle {
     if (++visits_ >= most_visits) return;
     const Scalar h(1.0001 * half);
     if (has_no_root(at, h)) return;
-    if (magnitude(at.slope) > (magnitude(at.curvature) + third_ * h / Scalar(2)) * h)
-      return one_root(middle, at, half);
+    if (has_one_slope(at, h)) return one_root(middle, at, half);
     if (depth > depths) return close_roots(middle, at, half);
     const Rotor<Scalar> turn = turn_by(depth);
     visit({middle * inverse(turn), middle * turn}, half / 2, depth + 1);
   }
 
+  /// True if the slope changes by less than it is in the middle of the arc.
+  bool has_one_slope(const Jet<Scalar>& at, const Scalar& h) const {
+    const Scalar bend = magnitude(at.third) + fourth_ * h / Scalar(3);
+    return magnitude(at.slope) > (magnitude(at.curvature) + bend * h / Scalar(2)) * h;
+  }
   /// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
   bool has_no_root(const Jet<Scalar>& at, const Scalar& h) const {
     const Scalar steep = magnitude(at.slope), bend = flipped_by(at.value, at.curvature);
-    const Scalar farthest = third_ * h * h * h / Scalar(6) + noise_;
+    const Scalar farthest =
+        (magnitude(at.third) + fourth_ * h / Scalar(4)) * (h * h * h / Scalar(6)) + noise_;
     const Scalar down = steep < bend * h ? Scalar(steep * steep / (Scalar(2) * bend))
                                          : Scalar((steep - bend * h / Scalar(2)) * h);
     return magnitude(at.value) - down > farthest;
@@ -238,7 +250,7 @@ class Circle {
   }
 
   const Harmonics<Scalar, 4>& f_;
-  Scalar third_, noise_;
+  Scalar fourth_, noise_;
   Solutions<Scalar> solutions_;
   int visits_ = 0;
 };

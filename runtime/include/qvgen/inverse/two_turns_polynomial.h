@@ -111,44 +111,79 @@ Harmonics<Scalar, 4> eliminated(const TwoTurns<Scalar>& e) {
   return sum;
 }
 
-/// Value and two derivatives of a polynomial.
+/// Value and three derivatives of a polynomial.
 template <typename Scalar>
 struct Jet {
-  Scalar value, slope, curvature;
+  Scalar value, slope, curvature, third;
 };
 
 /// Jets at several places, side by side.
 template <typename Scalar, std::size_t count>
 struct Jets {
-  std::array<Scalar, count> value, slope, curvature;
-  [[nodiscard]] Jet<Scalar> at(std::size_t i) const { return {value[i], slope[i], curvature[i]}; }
+  std::array<Scalar, count> value, slope, curvature, third;
+  [[nodiscard]] Jet<Scalar> at(std::size_t i) const { return {value[i], slope[i], curvature[i], third[i]}; }
+};
+
+/// Harmonics 1 to 4 of a polynomial at one angle, and the derivative of each by its own angle, k u.
+template <typename Scalar>
+struct HarmonicsAt {
+  Scalar v1, v2, v3, v4, d1, d2, d3, d4;
+
+  HarmonicsAt(const Harmonics<Scalar, 4>& f, const Rotor<Scalar>& at) {
+    const Scalar c1 = at.cosine, s1 = at.sine;
+    const Scalar c2 = c1 * c1 - s1 * s1, s2 = c1 * s1 + c1 * s1;
+    const Scalar c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2, c4 = c2 * c2 - s2 * s2,
+                 s4 = c2 * s2 + c2 * s2;
+    v1 = f.c[0] * c1 + f.s[0] * s1;
+    v2 = f.c[1] * c2 + f.s[1] * s2;
+    v3 = f.c[2] * c3 + f.s[2] * s3;
+    v4 = f.c[3] * c4 + f.s[3] * s4;
+    d1 = f.s[0] * c1 - f.c[0] * s1;
+    d2 = f.s[1] * c2 - f.c[1] * s2;
+    d3 = f.s[2] * c3 - f.c[2] * s3;
+    d4 = f.s[3] * c4 - f.c[3] * s4;
+  }
 };
 
 template <typename Scalar, std::size_t count>
 Jets<Scalar, count> jets(const Harmonics<Scalar, 4>& f, const std::array<Rotor<Scalar>, count>& at) {
   Jets<Scalar, count> result;
   for (std::size_t i = 0; i < count; ++i) {
-    const Scalar c1 = at[i].cosine, s1 = at[i].sine, c2 = c1 * c1 - s1 * s1, s2 = c1 * s1 + c1 * s1;
-    const Scalar c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2, c4 = c2 * c2 - s2 * s2,
-                 s4 = c2 * s2 + c2 * s2;
-    const Scalar v1 = f.c[0] * c1 + f.s[0] * s1, v2 = f.c[1] * c2 + f.s[1] * s2;
-    const Scalar v3 = f.c[2] * c3 + f.s[2] * s3, v4 = f.c[3] * c4 + f.s[3] * s4;
-    const Scalar d1 = f.s[0] * c1 - f.c[0] * s1, d2 = f.s[1] * c2 - f.c[1] * s2;
-    const Scalar d3 = f.s[2] * c3 - f.c[2] * s3, d4 = f.s[3] * c4 - f.c[3] * s4;
-    result.value[i] = ((f.one + v1) + v2) + (v3 + v4);
-    result.slope[i] = (d1 + Scalar(2) * d2) + (Scalar(3) * d3 + Scalar(4) * d4);
-    result.curvature[i] = -((v1 + Scalar(4) * v2) + (Scalar(9) * v3 + Scalar(16) * v4));
+    const HarmonicsAt<Scalar> h(f, at[i]);
+    result.value[i] = ((f.one + h.v1) + h.v2) + (h.v3 + h.v4);
+    result.slope[i] = (h.d1 + Scalar(2) * h.d2) + (Scalar(3) * h.d3 + Scalar(4) * h.d4);
+    result.curvature[i] = -((h.v1 + Scalar(4) * h.v2) + (Scalar(9) * h.v3 + Scalar(16) * h.v4));
+    result.third[i] = -((h.d1 + Scalar(8) * h.d2) + (Scalar(27) * h.d3 + Scalar(64) * h.d4));
   }
   return result;
 }
 
-/// Bound of the third derivative.
+/// Jets at places and, behind them, at the places across the circle: there odd harmonics change their signs.
+template <typename Scalar, std::size_t count>
+Jets<Scalar, 2 * count> jets_across(const Harmonics<Scalar, 4>& f,
+                                    const std::array<Rotor<Scalar>, count>& at) {
+  Jets<Scalar, 2 * count> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const HarmonicsAt<Scalar> h(f, at[i]);
+    const auto put = [i](std::array<Scalar, 2 * count>& to, const Scalar& even, const Scalar& odd) {
+      to[i] = even + odd;
+      to[i + count] = even - odd;
+    };
+    put(result.value, f.one + (h.v2 + h.v4), h.v1 + h.v3);
+    put(result.slope, Scalar(2) * h.d2 + Scalar(4) * h.d4, h.d1 + Scalar(3) * h.d3);
+    put(result.curvature, Scalar(-4) * h.v2 - Scalar(16) * h.v4, -h.v1 - Scalar(9) * h.v3);
+    put(result.third, Scalar(-8) * h.d2 - Scalar(64) * h.d4, -h.d1 - Scalar(27) * h.d3);
+  }
+  return result;
+}
+
+/// Bound of the fourth derivative.
 template <typename Scalar>
-Scalar third_bound(const Harmonics<Scalar, 4>& f) {
+Scalar fourth_bound(const Harmonics<Scalar, 4>& f) {
   using std::sqrt;
   Scalar sum(0);
   for (std::size_t k = 0; k < 4; ++k)
-    sum = sum + Scalar(static_cast<double>((k + 1) * (k + 1) * (k + 1))) *
+    sum = sum + Scalar(static_cast<double>((k + 1) * (k + 1) * (k + 1) * (k + 1))) *
                     Scalar(sqrt(Scalar(f.c[k] * f.c[k] + f.s[k] * f.s[k])));
   return sum;
 }

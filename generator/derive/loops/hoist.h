@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Values of a plan where they are first known. The derivation of loops names a value when an equation needs
+// it, behind the step before, so once for each sign of that step. A value that reads nothing of the step
+// moves up: behind the last step it does read, or to the target, which is computed once for all assemblies.
+#pragma once
+
+#include "derive/inverse/plan.h"
+
+namespace qvgen::derive::loops {
+
+/// Moves named values up to where all that they read is known.
+void hoist(inverse::Plan& plan);
+
+}  // namespace qvgen::derive::loops

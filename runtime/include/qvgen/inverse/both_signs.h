@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Both signs of a fork side by side: the scalar of the steps of closed loops. A fork's two solutions share
+// all but a sign, so one pass gives both, in the registers of two doubles that every machine has. A lane has
+// the bits that a double has. For generated sources that are compiled by GCC or Clang.
+#pragma once
+
+#include <qvgen/inverse/lane_scalar.h>
+
+namespace qvgen::inverse {
+
+/// The solution for sign 1, and that for sign -1.
+using BothSigns = simd::Lanes<double, simd::Doubles<2>>;
+
+/// Returns the branch that both signs begin on.
+inline Branch<BothSigns> for_both(const Branch<double>& branch) {
+  return {branch.exists, branch.continuum, branch.doubtful, branch.unsure};
+}
+
+/// Returns the branch of one sign, 0 for 1 and 1 for -1.
+inline Branch<double> of_sign(const Branch<BothSigns>& both, unsigned sign) {
+  const auto is_so = [sign](const Mask<BothSigns>& mask) { return (bits(mask) >> sign & 1U) != 0; };
+  return {is_so(both.exists), is_so(both.continuum), is_so(both.doubtful), is_so(both.unsure)};
+}
+
+}  // namespace qvgen::inverse
+
+namespace qvgen::simd {
+QVGEN_ARCTANGENTS_OF(inverse::BothSigns)
+}  // namespace qvgen::simd
