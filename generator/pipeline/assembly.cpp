@@ -167,17 +167,13 @@ void add_cxx(const std::string& name, bool with_c, const json& values, RobotOutp
   output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
 }
 
-/// Notes ways that C has not, tips' inverse kinematics among them.
+/// Notes the inverse kinematics of tips, which C has not.
 void note_missing_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
                        const std::vector<RobotOutput>& limbs, RobotOutput& output) {
-  const auto note = [&](const std::string& function) {
-    output.missing.push_back({function, Missing::Kind::not_in_language, "it is written in C++"});
-  };
-  for (const PlannedVariant& each : plans)
-    if (each.assembly.found && !has_blocks(each.assembly)) note(each.variant.function);
   for (std::size_t i = 0; i < limbs.size(); ++i)
     if (!limb_inverse(mechanism, i, limbs[i], plans).function.empty())
-      note("inverse_kinematics_of_" + mechanism.tips[i].name);
+      output.missing.push_back({"inverse_kinematics_of_" + mechanism.tips[i].name,
+                                Missing::Kind::not_in_language, "it is written in C++"});
 }
 
 void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {

@@ -21,16 +21,14 @@ void add_kinds(const model::Robot& robot, json& values) {
   values["kinds"] = commas(kinds);
 }
 
-/// Adds the ways whose blocks C has, and the most rows of any.
+/// Adds the ways in C, and the most rows of any.
 void add_variants_in_c(const std::vector<PlannedVariant>& plans, const json& cpp, json& values) {
   values["variants"] = json::array();
   int capacity = 1;
   std::size_t next = 0;
   for (const PlannedVariant& each : plans) {
     if (!each.assembly.found) continue;
-    const json& in_cpp = cpp["variants"][next++];
-    if (!has_blocks(each.assembly)) continue;
-    values["variants"].push_back(variant_in_c(each.variant, each.assembly, in_cpp));
+    values["variants"].push_back(variant_in_c(each.variant, each.assembly, cpp["variants"][next++]));
     capacity = std::max(capacity, each.assembly.plan.capacity);
   }
   values["most_capacity"] = capacity;
@@ -51,12 +49,6 @@ void add_joints_of_tips(const model::Mechanism& mechanism, json& tips) {
 }
 
 }  // namespace
-
-bool has_blocks(const AssemblyPlan& assembly) {
-  const auto& steps = assembly.plan.steps;
-  return std::none_of(steps.begin(), steps.end(),
-                      [](const auto& step) { return step.template is<derive::inverse::kind::TwoTurns>(); });
-}
 
 emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
                          const AssemblyPlan& first, const json& cpp) {

@@ -16,11 +16,8 @@
 namespace qvgen::pipeline {
 
 /// Returns the header and the source. `values`: those of the templates of C++. `first`: the plan whose
-/// equations the gaps are. Ways whose steps have no block in C are left out.
+/// equations the gaps are.
 emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
                          const derive::loops::AssemblyPlan& first, const nlohmann::json& values);
-
-/// True if C has all blocks of a plan's steps.
-bool has_blocks(const derive::loops::AssemblyPlan& assembly);
 
 }  // namespace qvgen::pipeline
