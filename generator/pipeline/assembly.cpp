@@ -124,19 +124,20 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
   }
 }
 
-/// Other output of the robot, and whether a header for C is wanted.
+/// Other output of the robot, its language, and whether a C header for C++ is wanted.
 struct Surroundings {
   bool has_dynamics, has_limbs, with_c;
+  Language language;
   const std::vector<RobotOutput>& limbs;
 };
 
-void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
-  const std::string& name = mechanism.robot.name;
+/// Values of all templates. Adds what is missing to the output.
+json values_of(const model::Mechanism& mechanism, const Surroundings& has,
+               const std::vector<PlannedVariant>& plans, RobotOutput& output) {
   const model::Loops& loops = mechanism.loops;
-  check_number_of_motors(mechanism);
-  const std::vector<PlannedVariant> plans = plans_of(mechanism, has.has_limbs);
   const std::vector<std::size_t> passive = passive_joints(mechanism);
-  json values{{"name", name},
+  const bool in_cxx = has.language == Language::cxx;
+  json values{{"name", mechanism.robot.name},
               {"dof", mechanism.robot.joints.size()},
               {"driven_count", loops.actuated.size()},
               {"passive_count", passive.size()},
@@ -145,23 +146,77 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
               {"passive", commas(passive)},
               {"has_dynamics", has.has_dynamics},
               {"has_limbs", has.has_limbs},
-              {"tips", tips_of(mechanism, inverses_of(mechanism, has.limbs, plans, output))},
+              {"tips", tips_of(mechanism, in_cxx ? inverses_of(mechanism, has.limbs, plans, output)
+                                                 : std::vector<LimbInverse>{})},
               {"enough", closed_gap(mechanism)},
+              {"in_c", false},
               {"missing", false}};
   add_constraints(first_found(plans), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
   add_variants(mechanism, plans, output, values);
-  output.files.push_back(
-      {"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
-  output.files.push_back(
-      {"include/qvgen/robots/" + name + "/assembly_batch.h", emit::render("cpp/assembly_batch.h", values)});
+  return values;
+}
+
+void add_cxx(const std::string& name, bool with_c, const json& values, RobotOutput& output) {
+  const std::string headers = "include/qvgen/robots/" + name;
+  output.files.push_back({headers + "/assembly.h", emit::render("cpp/assembly.h", values)});
+  output.files.push_back({headers + "/assembly_batch.h", emit::render("cpp/assembly_batch.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
-  if (!has.with_c) return;
-  const std::string in_c = assemblies_in_c(mechanism, plans, first_found(plans), values);
-  values["in_c"] = !in_c.empty();
-  if (!in_c.empty()) output.files.push_back({"c/qvgen_" + name + "_assembly.c", in_c});
+  if (!with_c) return;
   output.files.push_back({"c/qvgen_" + name + "_assembly.h", emit::render("c/assembly.h", values)});
   output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
+}
+
+/// Notes the inverse kinematics of tips, which C has not.
+void note_missing_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
+                       const std::vector<RobotOutput>& limbs, RobotOutput& output) {
+  for (std::size_t i = 0; i < limbs.size(); ++i)
+    if (!limb_inverse(mechanism, i, limbs[i], plans).function.empty())
+      output.missing.push_back({"inverse_kinematics_of_" + mechanism.tips[i].name,
+                                Missing::Kind::not_in_language, "it is written in C++"});
+}
+
+void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
+  check_number_of_motors(mechanism);
+  const std::string& name = mechanism.robot.name;
+  const std::vector<PlannedVariant> plans = plans_of(mechanism, has.has_limbs);
+  const json values = values_of(mechanism, has, plans, output);
+  if (has.language == Language::cxx) return add_cxx(name, has.with_c, values, output);
+  const emit::c::Part part = loops_in_c(mechanism, plans, first_found(plans), values);
+  output.files.push_back({"c/qvgen_" + name + "_loops.h", part.header});
+  output.files.push_back({"c/qvgen_" + name + "_loops.c", part.source});
+  note_missing_in_c(mechanism, plans, has.limbs, output);
+}
+
+/// True if the C of a robot declares a function.
+bool declares(const RobotOutput& output, const std::string& robot, const std::string& function) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const OutputFile& file) {
+    return file.path == "c/qvgen_" + robot + ".h" &&
+           file.content.find(" " + robot + "_" + function + "(") != std::string::npos;
+  });
+}
+
+Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs,
+                             Language language, bool with_c, const RobotOutput& output) {
+  const std::string& name = mechanism.robot.name;
+  if (language == Language::cxx) {
+    const std::string headers = "include/qvgen/robots/" + name + "/";
+    return {has_file(output, headers + "dynamics.h"), has_file(output, headers + "limbs.h"), with_c, language,
+            limbs};
+  }
+  bool has_limbs = !limbs.empty();
+  for (std::size_t i = 0; i < limbs.size(); ++i)
+    for (const char* function : {"forward_kinematics", "jacobian"})
+      has_limbs = has_limbs && declares(limbs[i], name + "_" + mechanism.tips[i].name, function);
+  const bool has_dynamics =
+      declares(output, name, "inverse_dynamics") && declares(output, name, "mass_matrix");
+  return {has_dynamics, has_limbs, with_c, language, limbs};
+}
+
+/// Says why there are no loops in a language; empty if there are.
+std::string lack_of_loops(Language language) {
+  if (language == Language::c_in_float) return "it is made in double";
+  return lack_of(row_of(language), "assembly");
 }
 
 }  // namespace
@@ -195,11 +250,9 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
 
 void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
                   bool with_c, RobotOutput& output) {
-  const std::string headers = "include/qvgen/robots/" + mechanism.robot.name + "/";
-  const Surroundings has{has_file(output, headers + "dynamics.h"), has_file(output, headers + "limbs.h"),
-                         with_c, limbs};
+  const Surroundings has = surroundings_of(mechanism, limbs, language, with_c, output);
   const auto generate = [&](RobotOutput& made) { generate_assembly(mechanism, has, made); };
-  if (const std::string lack = lack_of(row_of(language), "assembly"); !lack.empty())
+  if (const std::string lack = lack_of_loops(language); !lack.empty())
     output.missing.push_back({"assembly", Missing::Kind::not_in_language, lack});
   else
     attempt_all({{"assembly", generate}}, output);

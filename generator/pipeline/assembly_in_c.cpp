@@ -3,41 +3,16 @@
 
 #include <algorithm>
 
-#include "emit/ast/literal.h"
 #include "emit/c/inverse/source.h"
-#include "emit/c/printer.h"
-#include "model/evaluate.h"
+#include "emit/render.h"
 #include "pipeline/assembly_values.h"
+#include "pipeline/limbs.h"
 
 namespace qvgen::pipeline {
 namespace {
 
 using derive::loops::AssemblyPlan;
 using nlohmann::json;
-
-/// True if C has all blocks of a plan's steps.
-bool has_blocks(const AssemblyPlan& assembly) {
-  const auto& steps = assembly.plan.steps;
-  return std::none_of(steps.begin(), steps.end(),
-                      [](const auto& step) { return step.template is<derive::inverse::kind::TwoTurns>(); });
-}
-
-std::string default_of(const model::Parameter& parameter, const model::Robot& robot) {
-  if (!parameter.default_value) return "NAN";
-  return fmt::format(
-      "{}", model::to_double(model::evaluate(*parameter.default_value, model::default_bindings(robot))));
-}
-
-void add_geometry(const model::Robot& robot, json& values) {
-  std::vector<std::string> defaults;
-  values["parameters"] = json::array();
-  for (const model::Parameter& parameter : robot.geometry) {
-    values["parameters"].push_back({{"field", parameter.name}});
-    defaults.push_back(default_of(parameter, robot));
-  }
-  values["has_parameters"] = !defaults.empty();
-  values["defaults"] = defaults.empty() ? "0" : commas(defaults);
-}
 
 void add_kinds(const model::Robot& robot, json& values) {
   std::vector<std::string> kinds;
@@ -46,25 +21,49 @@ void add_kinds(const model::Robot& robot, json& values) {
   values["kinds"] = commas(kinds);
 }
 
-}  // namespace
-
-std::string assemblies_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
-                            const AssemblyPlan& first, const json& cpp) {
-  json values = cpp;
+/// Adds the ways in C, and the most rows of any.
+void add_variants_in_c(const std::vector<PlannedVariant>& plans, const json& cpp, json& values) {
   values["variants"] = json::array();
   int capacity = 1;
   std::size_t next = 0;
   for (const PlannedVariant& each : plans) {
     if (!each.assembly.found) continue;
-    if (!has_blocks(each.assembly)) return "";
     values["variants"].push_back(variant_in_c(each.variant, each.assembly, cpp["variants"][next++]));
     capacity = std::max(capacity, each.assembly.plan.capacity);
   }
   values["most_capacity"] = capacity;
-  add_geometry(mechanism.robot, values);
+}
+
+/// Adds to each tip the joints of its limb, each with the joint of the robot that gives its value.
+void add_joints_of_tips(const model::Mechanism& mechanism, json& tips) {
+  const std::vector<model::Robot> limbs = limbs_of(mechanism);
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    json joints = joints_of_limb(mechanism.robot, limbs[i]);
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      joints[k]["place"] = k;
+      joints[k]["share"] = joints[k]["ratio"] == "1" ? "" : joints[k]["ratio"].get<std::string>() + " * ";
+    }
+    tips[i]["joint_count"] = joints.size();
+    tips[i]["joints"] = std::move(joints);
+  }
+}
+
+}  // namespace
+
+emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
+                         const AssemblyPlan& first, const json& cpp) {
+  json values = cpp;
+  add_variants_in_c(plans, cpp, values);
   add_kinds(mechanism.robot, values);
-  add_gaps_in_c(first, values);
-  return emit::c::assemblies(values);
+  add_joints_of_tips(mechanism, values["tips"]);
+  add_constraints_in_c(first, values);
+  values["in_c"] = true;
+  values["has_parameters"] = !mechanism.robot.geometry.empty();
+  values["has_inertias"] = !mechanism.robot.inertia_parameters.empty();
+  values["system_size"] =
+      std::max(values["passive_count"].get<std::size_t>(), values["driven_count"].get<std::size_t>());
+  if (!values["has_limbs"]) values["tips"] = json::array();
+  return {emit::render("c/assembly.h", values), emit::c::loops(values)};
 }
 
 }  // namespace qvgen::pipeline

@@ -142,6 +142,12 @@ std::vector<std::string> entries(std::size_t rows, std::size_t columns) {
   return list;
 }
 
+/// An entry of a matrix, "0, 1", as one of an array of arrays.
+std::string place_in_c(const std::string& place) {
+  const std::size_t comma = place.find(", ");
+  return comma == std::string::npos ? place : place.substr(0, comma) + "][" + place.substr(comma + 2);
+}
+
 /// Code for the values of joints that gears lead, one after the other.
 json values_of_gears(const AssemblyPlan& assembly, const Dialect& dialect) {
   json list = json::array();
@@ -206,12 +212,12 @@ json lengths_in(const model::Mechanism& mechanism, const std::vector<std::size_t
 }
 
 /// Lengths of the slides that are driven, where these are what is given, as a list in code; false without
-/// any.
-json slides_in(const LoopVariant& variant, const AssemblyPlan& assembly) {
+/// any. `magnitude`: the function of absolute values.
+json slides_in(const LoopVariant& variant, const AssemblyPlan& assembly, const std::string& magnitude) {
   std::vector<std::string> lengths;
   for (const std::size_t joint : assembly.given)
     if (assembly.robot.joints[joint].type == model::JointType::prismatic)
-      lengths.push_back(fmt::format("std::abs(q[{}])", joint));
+      lengths.push_back(fmt::format("{}(q[{}])", magnitude, joint));
   if (variant.function != "assemble" || lengths.empty()) return false;
   return {{"list", fmt::format("{{{}}}", fmt::join(lengths, ", "))}};
 }
@@ -277,7 +283,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given_values", given_values},
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
-          {"slides", slides_in(variant, assembly)},
+          {"slides", slides_in(variant, assembly, "std::abs")},
           {"checks_all", assembly.redundant.empty() ? "false" : "true"},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},
@@ -289,12 +295,19 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
            emit::lines_of(in_signs.body(arguments, emit::every_assembly(plan, emit::Signs::side_by_side)))}};
 }
 
-void add_gaps_in_c(const AssemblyPlan& assembly, json& values) {
+void add_constraints_in_c(const AssemblyPlan& assembly, json& values) {
   const derive::loops::Constraints constraints = derive::loops::constraints_of(assembly);
-  const ProgramCode code = code_of(constraints.gap, assembly.robot,
-                                   numbers(constraints.rows + constraints.redundant_rows), in_c());
-  values["gap_values"] = code.values;
-  values["gap_code"] = code.code;
+  const model::Robot& robot = assembly.robot;
+  const auto add = [&](const std::string& name, const symbolic::Program& program,
+                       const std::vector<std::string>& places) {
+    ProgramCode code = code_of(program, robot, places, in_c());
+    for (json& output : code.code["outputs"]) output["place"] = place_in_c(output["place"]);
+    values[name + "_values"] = code.values;
+    values[name + "_code"] = code.code;
+  };
+  add("gap", constraints.gap, numbers(constraints.rows + constraints.redundant_rows));
+  add("jacobian", constraints.jacobian, entries(constraints.rows, robot.joints.size()));
+  add("bias", constraints.bias, numbers(constraints.rows));
 }
 
 json variant_in_c(const LoopVariant& variant, const AssemblyPlan& assembly, json values) {
@@ -304,6 +317,7 @@ json variant_in_c(const LoopVariant& variant, const AssemblyPlan& assembly, json
   values["p"] = prefix;
   values["gears"] = values_of_gears(assembly, in_c());
   values["given_values"] = values_of_known(assembly, in_c());
+  values["slides"] = slides_in(variant, assembly, "fabs");
   if (values["closing"] != "t.tolerance")
     values["closing"] = "larger(t->tolerance, 1e-11)";
   else

@@ -32,7 +32,7 @@ nlohmann::json variant_of(const model::Mechanism& mechanism, const LoopVariant& 
 /// Returns these values with code in C, whose names begin with the function's.
 nlohmann::json variant_in_c(const LoopVariant& variant, const derive::loops::AssemblyPlan& assembly,
                             nlohmann::json values);
-/// Puts the gaps in C in the place of those in C++.
-void add_gaps_in_c(const derive::loops::AssemblyPlan& assembly, nlohmann::json& values);
+/// Puts the gaps, their Jacobian and its rate in C in the place of those in C++.
+void add_constraints_in_c(const derive::loops::AssemblyPlan& assembly, nlohmann::json& values);
 
 }  // namespace qvgen::pipeline

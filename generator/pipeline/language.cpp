@@ -9,9 +9,9 @@ namespace {
 const std::vector<Lack>& lacks_of_c() {
   static const std::vector<Lack> lacks{
       {{"arm_angle"}, "its solver is a part of the C++ runtime"},
-      {{"assembly", "batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
+      {{"batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
        "it is written in C++"},
-      {{"c_assembly"}, "it is a C header for assembly.h: --only c_assembly without --language"},
+      {{"c_assembly"}, "it is a C header for the C++ of assembly.h: --only c_assembly without --language"},
       {{"c_inverse"}, "it is a C header for the C++ solver: --only c_inverse without --language"},
       {{"inverse by elimination"}, "its solver is a part of the C++ runtime"}};
   return lacks;
@@ -24,6 +24,7 @@ const Lack made_of_c{{"linuxcnc"}, "it is made of C in double: --language c"};
 std::vector<Lack> lacks_of_translations() {
   std::vector<Lack> lacks = lacks_of_c();
   lacks.push_back(made_of_c);
+  lacks.push_back({{"assembly"}, made_of_c.reason});
   return lacks;
 }
 

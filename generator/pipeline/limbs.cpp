@@ -26,19 +26,6 @@ model::Share share_of(const model::Robot& robot, const std::string& variable) {
   return model::shares(robot)[static_cast<std::size_t>(joint - robot.joints.begin())].front();
 }
 
-/// The variables of a limb, each with the motor of the whole robot that gives its value.
-json joints_of(const model::Robot& robot, const model::Robot& limb) {
-  json list = json::array();
-  for (const std::string& variable : model::variables(limb)) {
-    const model::Share share = share_of(robot, variable);
-    list.push_back({{"joint", share.driven},
-                    {"ratio", fmt::format("{}", cln::double_approx(share.ratio))},
-                    {"last", false}});
-  }
-  list.back()["last"] = true;
-  return list;
-}
-
 /// The places of a limb's joints among all velocities, behind those of a floating base.
 json columns_of(const model::Robot& robot, const json& joints) {
   std::set<std::size_t> columns;
@@ -80,11 +67,23 @@ std::vector<model::Robot> limbs_of(const model::Mechanism& mechanism) {
   return limbs;
 }
 
+json joints_of_limb(const model::Robot& robot, const model::Robot& limb) {
+  json list = json::array();
+  for (const std::string& variable : model::variables(limb)) {
+    const model::Share share = share_of(robot, variable);
+    list.push_back({{"joint", share.driven},
+                    {"ratio", fmt::format("{}", cln::double_approx(share.ratio))},
+                    {"last", false}});
+  }
+  list.back()["last"] = true;
+  return list;
+}
+
 void add_limbs(const model::Mechanism& mechanism, RobotOutput& output) {
   const std::vector<model::Robot> limbs = limbs_of(mechanism);
   json values{{"name", mechanism.robot.name}, {"limbs", json::array()}};
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    const json joints = joints_of(mechanism.robot, limbs[i]);
+    const json joints = joints_of_limb(mechanism.robot, limbs[i]);
     values["limbs"].push_back({{"tip", mechanism.tips[i].name},
                                {"limb", limbs[i].name},
                                {"joint_count", joints.size()},

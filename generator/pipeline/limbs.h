@@ -11,6 +11,10 @@ namespace qvgen::pipeline {
 /// Returns the chains from the base to every tip, without inertias.
 std::vector<model::Robot> limbs_of(const model::Mechanism& mechanism);
 
+/// Returns the variables of a limb in their order, each with the `joint` or motor of the whole robot that
+/// gives its value, times `ratio`; `last` is true of the last.
+nlohmann::json joints_of_limb(const model::Robot& robot, const model::Robot& limb);
+
 /// Adds limbs.h: the limbs' functions by their tips' names, and which of the robot's joints each has.
 void add_limbs(const model::Mechanism& mechanism, RobotOutput& output);
 

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The header for C gives the bits of the C++ functions. Assemblies are C99 alone, with the sines of its
-// library: the rows of C++ but for their rounding.
-#include <algorithm>
-#include <cmath>
+// The header of C for the C++ code gives the bits of the C++ functions; C99 alone takes the caller's lengths.
 #include <cstring>
 #include <limits>
 #include <random>
-#include <type_traits>
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/delta/assembly.h>
 #include <qvgen/robots/four_bar/assembly.h>
-#include <qvgen/robots/gripper/assembly.h>
 #include <qvgen_delta_assembly.h>
-#include <qvgen_four_bar_assembly.h>
-#include <qvgen_gripper_assembly.h>
+#include <qvgen_four_bar_loops.h>
 
+#include "c_laws.h"
 #include "calls.h"
 
 namespace qvgen::test::loops {
@@ -30,13 +25,6 @@ void expect_rows(const Matrix& expected, const double* found) {
     for (Eigen::Index k = 0; k < expected.cols(); ++k) EXPECT_EQ(expected(i, k), *found++);
 }
 
-/// Likewise but for whole turns, and for the rounding of sines, which grows towards dead centres.
-template <class Matrix>
-void expect_close(const Matrix& expected, const double* found) {
-  for (Eigen::Index i = 0; i < expected.size(); ++i)
-    EXPECT_NEAR(std::remainder(expected(i) - found[i], 2 * M_PI), 0, 1e-9);
-}
-
 TEST(LoopsInC, AreThoseOfCxx) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(-1, 1);
@@ -49,7 +37,7 @@ TEST(LoopsInC, AreThoseOfCxx) {
     ASSERT_EQ(c.count, found.size());
     EXPECT_EQ(c.status, static_cast<int>(found.status));
     for (int i = 0; i < found.size(); ++i) {
-      expect_close(found[i].q, c.rows[i]);
+      expect_rows(found[i].q, c.rows[i]);
       EXPECT_EQ(c.branches[i], found[i].branch);
       EXPECT_EQ(c.meets[i], found.meets(found[i]) ? 1 : 0);
     }
@@ -58,10 +46,10 @@ TEST(LoopsInC, AreThoseOfCxx) {
     const Joints q(c.rows[0]);
     const auto modes = arm::assemble_from_outputs(q.tail<3>(), q);
     EXPECT_EQ(c.modes, modes.size());
-    expect_close(modes[0].q, c.near);
+    expect_rows(modes[0].q, c.near);
     EXPECT_EQ(c.closed, 1);
     expect_rows(arm::follow(a, q).q, c.followed);
-    expect_close(arm::loop_gaps(q), c.gaps);
+    expect_rows(arm::loop_gaps(q), c.gaps);
     expect_rows(arm::rates(q), c.rates[0]);
     expect_rows(arm::accelerations(q, q, a), c.accelerations);
     EXPECT_EQ(c.drive, arm::drive_measure(q));
@@ -80,65 +68,8 @@ TEST(LoopsInC, AreThoseOfCxx) {
   EXPECT_GT(solved, 20);
 }
 
-/// Numbers between bounds, among them NaN and infinity.
-class Inputs {
- public:
-  template <int size>
-  Eigen::Matrix<double, size, 1> next(double reach) {
-    Eigen::Matrix<double, size, 1> values;
-    for (double& value : values) value = std::uniform_real_distribution<double>(-reach, reach)(random_);
-    const auto at = static_cast<Eigen::Index>(random_() % size);
-    if (random_() % 50 == 0) values[at] = std::numeric_limits<double>::quiet_NaN();
-    if (random_() % 50 == 0) values[at] = std::numeric_limits<double>::infinity();
-    return values;
-  }
-
- private:
-  std::mt19937 random_{9};
-};
-
-/// Compares the rows of C with those of C++. Returns how many there are.
-template <class Found, class Call>
-int expect_same(const Found& found, const Call& call) {
-  constexpr int dof = std::decay_t<decltype(found[0].q)>::RowsAtCompileTime;
-  double q[Found::max_size][dof];
-  int branches[Found::max_size], meets[Found::max_size], status = -1;
-  const int count = call(Found::max_size, q, branches, meets, &status);
-  EXPECT_EQ(count, found.size());
-  EXPECT_EQ(status, static_cast<int>(found.status));
-  for (int i = 0; i < std::min(count, found.size()); ++i) {
-    expect_close(found[i].q, q[i]);
-    EXPECT_EQ(branches[i], found[i].branch);
-    EXPECT_EQ(meets[i], found.meets(found[i]) ? 1 : 0);
-  }
-  return count;
-}
-
-TEST(AssembliesInC99, HaveTheRowsOfCxx) {
-  namespace gripper = qvgen::robots::gripper;
-  Inputs inputs;
-  int rows = 0;
-  for (int n = 0; n < 3000; ++n) {
-    const auto a = inputs.next<1>(7);
-    const auto seed = inputs.next<gripper::dof>(20);
-    rows += expect_same(gripper::assemble(a),
-                        [&](auto... to) { return gripper_assemble(a.data(), nullptr, nullptr, to...); });
-    rows += expect_same(gripper::assemble(a, seed),
-                        [&](auto... to) { return gripper_assemble(a.data(), seed.data(), nullptr, to...); });
-    const auto d = inputs.next<3>(2);
-    const auto x = inputs.next<3>(0.5);
-    const auto near = inputs.next<arm::dof>(4);
-    rows += expect_same(arm::assemble(d),
-                        [&](auto... to) { return delta_assemble(d.data(), nullptr, nullptr, to...); });
-    rows += expect_same(arm::assemble_from_outputs(x, near), [&](auto... to) {
-      return delta_assemble_from_outputs(x.data(), near.data(), nullptr, to...);
-    });
-  }
-  EXPECT_GT(rows, 10000);
-}
-
 /// Lengths of the caller's, those of a parallelogram, and one that is no number.
-TEST(AssembliesInC99, TakeLengths) {
+TEST(LoopsInC99, TakeLengths) {
   namespace bar = qvgen::robots::four_bar;
   Inputs inputs;
   std::mt19937 random(4);
@@ -159,7 +90,13 @@ TEST(AssembliesInC99, TakeLengths) {
     if (found.empty()) continue;
     double gaps[bar::gap_count];
     four_bar_loop_gaps(found[0].q.data(), lengths.data(), gaps);
-    expect_close(bar::loop_gaps(found[0].q, g), gaps);
+    expect_turns(bar::loop_gaps(found[0].q, g), gaps);
+    if (bar::drive_measure(found[0].q, g) < 0.03) continue;
+    double rates[bar::dof][bar::driven_count], orientation[4], position[3];
+    four_bar_rates(found[0].q.data(), lengths.data(), rates);
+    expect_close(bar::rates(found[0].q, g), rates[0]);
+    four_bar_pose_of_point(found[0].q.data(), lengths.data(), orientation, position);
+    expect_close(bar::pose_of_point(found[0].q, g).position, position);
   }
   EXPECT_GT(rows, 1000);
   EXPECT_EQ(four_bar_assemble_capacity, bar::Assembled::max_size);

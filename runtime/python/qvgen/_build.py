@@ -43,16 +43,16 @@ class Robot:
         self.geometry = Constants("geometry", self.header.defaults(library, "geometry"))
         self.inertia = Constants("inertia", self.header.defaults(library, "inertia"))
         self.capacity = self.header.numbers.get("solutions_capacity")
-        self._cxx_part()
+        self._cxx_part(folder)
 
-    def _cxx_part(self):
+    def _cxx_part(self, folder):
         """Finds what the robot has in C++ only."""
         lacks = {each["part"] for each in self.entry.get("missing", []) if each["kind"] == "not in this language"}
         functions = self.header.functions
         self.cxx_parts = {"nearest_pose"} if {"forward_kinematics", "jacobian"} <= functions.keys() else set()
         self.cxx_parts |= {"floating_base"} if "momentum_matrix" in functions else set()
         self.cxx_targets, self.cxx_missing, self.loops = {}, {}, None
-        if lacks & {"arm_angle", "inverse", "assembly"}:
+        if lacks & {"arm_angle", "inverse"} or (folder / "c" / f"qvgen_{self.name}_loops.h").exists():
             entry = json.loads((self.sources.cxx() / "operation_counts.json").read_text())[self.name]
             self.cxx_parts |= {"arm_angle"} & entry.keys()
             self.cxx_targets = {name: taken for name, taken in entry.get("targets", {}).items() if name not in self.targets}

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "emit/blocks/reached.h"
 #include "emit/c/inverse/blocks.h"
 #include "emit/c/single_precision.h"
@@ -198,9 +200,12 @@ Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, cons
           render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
 
-std::string assemblies(const json& values) {
-  const std::string source = render("c/assembly_sizes.c", values) + "\n" + inverse_blocks() + "\n" +
-                             render("c/assembly_solve.c", values);
+std::string loops(const json& values) {
+  std::string source = render("c/assembly_sizes.c", values) + "\n" + inverse_blocks() + "\n";
+  for (const char* part : {"equations", "motion", "solve"})
+    source += render(fmt::format("c/assembly_{}.c", part), values) + "\n";
+  if (values["has_limbs"]) source += render("c/assembly_tips.c", values) + "\n";
+  if (values["has_dynamics"]) source += render("c/assembly_dynamics.c", values);
   return render("c/assembly_head.c", values) + "\n" + in_double_precision(wrapped(blocks::reached(source)));
 }
 

@@ -17,8 +17,8 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 /// robot itself or what is left of it without joints that are given.
 Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, const nlohmann::json& values);
 
-/// Source of assemblies of closed loops.
-std::string assemblies(const nlohmann::json& values);
+/// Source of closed loops: assemblies and motion.
+std::string loops(const nlohmann::json& values);
 
 /// Header and source of what orders the solutions of a robot.
 Part metrics(const model::Robot& robot);
