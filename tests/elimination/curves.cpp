@@ -64,6 +64,21 @@ class Curve {
     return false;
   }
 
+  /// True if all that lies between here and a row reaches the pose as rows do.
+  [[nodiscard]] bool is_one_with_a_row() const {
+    constexpr double farthest = 1e-2;
+    return std::any_of(found_.begin(), found_.end(), [&](const auto& row) {
+      const Joints6 way = difference(start_, row.q);
+      if (way.norm() > farthest) return false;
+      for (const double share : {0.2, 0.4, 0.6, 0.8}) {
+        const Joints6 between = start_ + share * way;
+        Joints6 q = between;
+        if (!project(q) || (q - between).norm() > 0.1 * way.norm()) return false;
+      }
+      return true;
+    });
+  }
+
  private:
   [[nodiscard]] Joints6 residual(const Joints6& q) const {
     const Eigen::Isometry3d reached = arm_.tool(q);
@@ -129,9 +144,10 @@ bool comes_out_of_a_seed(const Arm& arm, const inverse::elimination::Setup& setu
 bool is_covered(const Arm& arm, const inverse::elimination::Setup& setup, const Found& found,
                 const Joints6& q, double close) {
   if (contains(arm, found, q, close)) return true;
+  const Curve curve(arm, found, q);
+  if (curve.is_one_with_a_row()) return true;
   if (found.status != Status::singular) return false;
   if (comes_out_of_a_seed(arm, setup, q, close)) return true;
-  const Curve curve(arm, found, q);
   Random random(5);
   constexpr int directions = 4;
   for (int i = 0; i < directions; ++i) {

@@ -14,6 +14,8 @@ namespace {
 constexpr double seen_row = 1e-3;
 /// Rows no farther apart may be one, if what lies between them reaches the pose.
 constexpr double far_rows = 1e-2;
+/// So often values are taken down a valley before they are given up.
+constexpr int most_turns_in_valleys = 2;
 /// Lanes do not tell nearer rows apart: half the digits, with the rounding of an elimination.
 constexpr double lane_rounding = 3e-7;
 /// Steps in lanes end so near to a row: they are not as patient.
@@ -119,7 +121,16 @@ void Careful::settle(const JointPairs& start) {
   Values values = values_of(start);
   Branch<double> branch;
   branch.unsure = true;
-  if (tracker_.settle(label, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch)) {
+  const auto settles = [&] {
+    return tracker_.settle(label, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch);
+  };
+  bool found = settles();
+  for (int turn = 0; turn < most_turns_in_valleys && !found; ++turn) {
+    const bool missed = tracker_.state(label) == BranchState::missed && !has_row_near(values, seen_row);
+    if (!missed || !goes_down_valley(values)) break;
+    found = settles();
+  }
+  if (found) {
     if (!branch.continuum || !is_on_known_continuum(values))
       rows_[size_++] = {values, branch.continuum, true};
     return;
@@ -127,6 +138,7 @@ void Careful::settle(const JointPairs& start) {
   for (int i = 0; i < size_; ++i)
     if (distance_square(rows_[i].values, values) < seen_row * seen_row) rows_[i].seen = true;
   if (tracker_.state(label) != BranchState::missed) return;
+  add_stray(values);
   const double error = polishing::Newton<double, joints, 3>(task_).reached(values).error;
   strays_ = strays_ || error < stray_miss * stray_miss * task_.size_square;
 }
@@ -224,15 +236,15 @@ bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
 /// True if what lies between two rows reaches the pose, too, to what rows may miss it by.
 bool Careful::are_one(const Row& a, const Row& b) {
   if (distance_square(a.values, b.values) > far_rows * far_rows) return false;
-  Values middle = middle_of(a.values, b.values);
-  normalise(task_, middle);
+  Values place = place_between(a.values, b.values);
+  normalise(task_, place);
   const polishing::Newton<double, joints, 3> newton(task_);
-  const auto idle = polishing::Newton<double, joints, 3>::idle(newton.reached(middle));
+  const auto idle = polishing::Newton<double, joints, 3>::idle(newton.reached(place));
   if (idle.least == joints) return false;
   Budget few{0, 6};
   Reached<double, joints, 3> there;
   const double share = std::max(tolerance_, default_tolerance);
-  return polish(task_, {share}, middle, there, few, idle.is);
+  return polish(task_, {share}, place, there, few, idle.is);
 }
 
 /// Near a place where two solutions meet many joint values reach the pose to rounding: one of them stays.

@@ -109,6 +109,12 @@ class Careful {
   void merge();
   [[nodiscard]] bool goes_on_beside(const Row& row, std::size_t joint, double by);
   void look_along_crossings();
+  [[nodiscard]] bool goes_down_valley(Values& values);
+  void add_stray(const Values& values);
+  [[nodiscard]] bool is_next_to_continuum(const Values& values);
+  [[nodiscard]] bool has_row_near(const Values& values, double near) const;
+  [[nodiscard]] bool has_lonely_stray() const;
+  [[nodiscard]] bool any_is_on_continuum() const;
 
   const Setup& setup_;
   const Pose<double>& pose_;
@@ -127,8 +133,11 @@ class Careful {
   int size_ = 0;
   Row rows_[most_solutions];
   Effort effort_;
-  bool full_ = false;    ///< there was a start, but no room
-  bool strays_ = false;  ///< some start nearly reached the pose, but no steps led on
+  static constexpr int most_strays = 8;
+  int stray_count_ = 0;
+  Values stray_[most_strays];  ///< starts that have ended short of the pose, next to a continuum
+  bool full_ = false;          ///< there was a start, but no room
+  bool strays_ = false;        ///< some start nearly reached the pose, but no steps led on
   bool unsure_ = false;
 };
 

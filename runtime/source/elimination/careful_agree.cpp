@@ -33,13 +33,16 @@ struct Careful::Consensus {
       std::any_of(of.setup_.chain.slides, of.setup_.chain.slides + joints, [](bool is) { return is; }) ||
       nearly_has_structure(of.setup_.description, of.setup_.chain.size);
   bool all_loud, doubted, agreed = false, more_nearby = true;
-  int asked_nearby = 0, clear = 0;
+  int asked_nearby = 0, clear = 0, quiet_nearby = 0;
 
   /// Poses near one at which solutions meet have others on each side.
   [[nodiscard]] bool is_clear() const { return !strict || clear >= (of.any_is_singular() ? 3 : 1); }
+  /// Curves of solutions that cross make polynomials vanish: every elimination at the pose may lose another
+  /// one. At poses nearby there are single solutions instead.
+  [[nodiscard]] bool may_have_lost_curve() const { return quiet_nearby < 3 && of.any_is_on_continuum(); }
   [[nodiscard]] bool wants_nearby() const {
-    return asked_nearby < most_nearby &&
-           (of.size_ == 0 || !of.is_even() || more_nearby || !is_clear() || (few && asked_nearby < 3));
+    return asked_nearby < most_nearby && (of.size_ == 0 || !of.is_even() || more_nearby || !is_clear() ||
+                                          may_have_lost_curve() || (few && asked_nearby < 3));
   }
 
   /// Looks at a pose nearby. Returns true if that leaves no doubt.
@@ -47,6 +50,7 @@ struct Careful::Consensus {
     const int elimination = strict ? asked_nearby % of.setup_.count : 0;
     const Outcome near = of.pass_nearby(of.setup_.eliminations[elimination], pose);
     more_nearby = !near.same;
+    quiet_nearby = near.same ? quiet_nearby + 1 : 0;
     const bool without_doubt = near.same && !near.doubtful;
     clear += without_doubt && of.size_ > 0 ? 1 : 0;
     return without_doubt;
@@ -105,7 +109,8 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
   }
   // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
   // must have been three.
-  unsure_ = !all.agreed || all.all_loud || !all.is_clear() || !is_even() || (all.few && any_is_singular());
+  unsure_ = has_lonely_stray() || !all.agreed || all.all_loud || !all.is_clear() || !is_even() ||
+            (all.few && any_is_singular());
 }
 
 }  // namespace qvgen::inverse::elimination

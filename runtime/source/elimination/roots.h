@@ -12,8 +12,8 @@ namespace {
 template <int width>
 class RootFinder {
  public:
-  /// `allowed`: how far off zero a double root may be, as a tenth. `farthest`: only arcs nearer to 0 than
-  /// this, rad. `may_be_faint`: faint stretches are put aside.
+  /// `allowed`: a tenth of how far off zero the polynomial may be at a double root. `farthest`: only arcs
+  /// nearer to 0 than this are looked at, rad. `may_be_faint`: faint stretches are put aside.
   RootFinder(const Trigonometric& f, double allowed, double farthest, bool may_be_faint, Candidates& found)
       : f_(f),
         may_be_faint_(may_be_faint),
@@ -29,10 +29,13 @@ class RootFinder {
 
  private:
   static constexpr int most_cells = 64;
-  static constexpr double smallest = 0.004;  ///< of half an arc, about 0.8 mrad
+  /// Shorter parts are not halved, in units of half an arc: about 0.8 mrad.
+  static constexpr double smallest = 0.004;
+  /// The least tolerance of a part, as a share of the largest coefficient of its arc.
   static constexpr double relative_tolerance = 1e-11;
 
-  /// A part of an arc: tangents from low to high, in units of the arc's.
+  /// A part of an arc, from low to high: tangents of half angles, in units of the arc's largest. `tolerance`:
+  /// of coefficients.
   struct Part {
     double low, high;
     int arc;
@@ -90,8 +93,8 @@ class RootFinder {
     sort(control, parts, width);
   }
 
-  /// Which lanes have no root for sure, and which may have several: coefficients that may be rounding tell
-  /// nothing of signs.
+  /// Sets the lanes that have no root for sure, and those that may have several. Coefficients within the
+  /// tolerance may be rounding, and tell no sign.
   template <class T>
   static void count_changes(const T (&control)[controls], const T& tolerance, unsigned& none,
                             unsigned& several) {
@@ -140,7 +143,9 @@ class RootFinder {
     look_at_double_root(part, is_bent_to_one_side(control, lane, part.tolerance));
   }
 
-  /// Then there is one root at most. Rounding is a hundredth of the tolerance.
+  /// True if the polynomial rises or falls all over a part, so that it has one root at most. A coefficient's
+  /// rounding is a hundredth of the tolerance, so a difference of two may be two hundredths: it has a sign if
+  /// it is more than three.
   template <class T>
   static bool is_monotonic(const T (&control)[controls], int lane, double tolerance) {
     double least = 1e300, most = -1e300;
@@ -149,11 +154,12 @@ class RootFinder {
       least = smaller_of(least, rise);
       most = larger_of(most, rise);
     }
-    constexpr double rounding = 1.0 / 32;
-    return least > rounding * tolerance || most < -rounding * tolerance;
+    constexpr double sure = 1.0 / 32;
+    return least > sure * tolerance || most < -sure * tolerance;
   }
 
-  /// Then there are at most two roots.
+  /// True if the polynomial bends to one side all over a part, so that it has two roots at most. Second
+  /// differences have to be well above the tolerance, since halvings make them four times smaller each.
   template <class T>
   static bool is_bent_to_one_side(const T (&control)[controls], int lane, double tolerance) {
     double least = 1e300, most = -1e300;
@@ -343,8 +349,8 @@ class RootFinder {
   const Trigonometric& f_;
   Direction slope_[degree + 1];  ///< the derivative's coefficients
   bool may_be_faint_;
-  double faint_below_;
-  double tolerance_;
+  double faint_below_;  ///< arcs whose coefficients are all smaller are faint
+  double tolerance_;    ///< of coefficients: at least a hundred times their rounding
   Candidates& found_;
   int cells_ = 0;
   Cell cell_[most_cells + 2 * width];

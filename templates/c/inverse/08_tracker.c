@@ -62,15 +62,10 @@ static bool are_joined(const Matching* task, const JointValues* a, const Reached
                        Budget* budget) {
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
-  JointValues middle = *a;
-  for (int i = 0; i < task->joints; ++i) {
-    middle.of[i].cosine = (a->of[i].cosine + b->of[i].cosine) / 2;
-    middle.of[i].sine = (a->of[i].sine + b->of[i].sine) / 2;
-  }
+  JointValues place = place_between(task->joints, a, b);
   Reached there;
-  if (!polish(task, quick(0), &middle, &there, budget, &idle.columns)) return false;
-  const double most = 0.6 * values_apart(task->joints, a, b);
-  return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
+  return polish(task, quick(0), &place, &there, budget, &idle.columns) &&
+         is_between(task->joints, &place, a, b);
 }
 
 /// Solutions so far, by the values of the joints that decide.

@@ -167,14 +167,8 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
   if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, a);
   if (idle.least == task->joints) return false;
-  JointValues middle = *a;
-  for (int i = 0; i < task->joints; ++i) {
-    middle.of[i].cosine = (a->of[i].cosine + b->of[i].cosine) / 2;
-    middle.of[i].sine = (a->of[i].sine + b->of[i].sine) / 2;
-  }
-  if (!polish_points(task, 0, &middle, budget, &idle.columns)) return false;
-  const double most = tolerance_between * values_apart(task->joints, a, b);
-  return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
+  JointValues place = place_between(task->joints, a, b);
+  return polish_points(task, 0, &place, budget, &idle.columns) && is_between(task->joints, &place, a, b);
 }
 
 /// Branches that have led to a solution; that came near one and have none; that have been left to a pass that

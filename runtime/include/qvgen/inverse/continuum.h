@@ -61,10 +61,10 @@ class Idling {
   [[nodiscard]] bool are_joined(const Values& a, const Reached& at, const Values& b) const {
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
-    Values middle = middle_of(a, b);
+    Values place = place_between(a, b);
     Reached there;
-    if (!polish(task_, quick, middle, there, budget_, idle.is)) return false;
-    return is_between(middle, a, b);
+    if (!polish(task_, quick, place, there, budget_, idle.is)) return false;
+    return is_between(place, a, b);
   }
 
  private:

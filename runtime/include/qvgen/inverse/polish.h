@@ -41,24 +41,26 @@ bool are_same(const JointValues<Scalar, joints>& a, const JointValues<Scalar, jo
   return distance_square(a, b) < Scalar(tolerance::same_rows) * epsilon<Scalar>();
 }
 
-/// Returns the pairs in the middle between two joint values; they are a little short.
+/// Returns the pairs at `tolerance::way_between` of the way from one joint value to another; they are a
+/// little short.
 template <typename Scalar, std::size_t joints>
-JointValues<Scalar, joints> middle_of(const JointValues<Scalar, joints>& a,
-                                      const JointValues<Scalar, joints>& b) {
-  JointValues<Scalar, joints> middle;
+JointValues<Scalar, joints> place_between(const JointValues<Scalar, joints>& a,
+                                          const JointValues<Scalar, joints>& b) {
+  const Scalar share(tolerance::way_between);
+  JointValues<Scalar, joints> place;
   for (std::size_t i = 0; i < joints; ++i) {
-    middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
-    middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
+    place[i].cosine = a[i].cosine + share * (b[i].cosine - a[i].cosine);
+    place[i].sine = a[i].sine + share * (b[i].sine - a[i].sine);
   }
-  return middle;
+  return place;
 }
 
 /// True if a place between two joint values is nearer to each than they are to each other.
 template <typename Scalar, std::size_t joints>
-bool is_between(const JointValues<Scalar, joints>& middle, const JointValues<Scalar, joints>& a,
+bool is_between(const JointValues<Scalar, joints>& place, const JointValues<Scalar, joints>& a,
                 const JointValues<Scalar, joints>& b) {
   const Scalar most = Scalar(tolerance::between) * distance_square(a, b);
-  return distance_square(a, middle) < most && distance_square(b, middle) < most;
+  return distance_square(a, place) < most && distance_square(b, place) < most;
 }
 
 /// Joints that keep their values while the others are polished.

@@ -144,6 +144,9 @@ inline constexpr double same_rows = 180;
 inline constexpr double may_be_joined = 1e-2;
 /// A place between two joined ones is no farther from either than this share of their distance.
 inline constexpr double between = 0.6;
+/// Where between two solutions is asked if a continuum joins them, as a share of the way: the golden section.
+/// Three solutions that meet stand as far apart as each other, so the middle of two is the third.
+inline constexpr double way_between = 0.38196601125010515;
 /// How far along an idle joint a continuum is looked for: far beyond half the digits, rad or share of the
 /// size.
 inline constexpr double way_along = 1e-2;

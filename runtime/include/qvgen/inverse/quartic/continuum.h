@@ -54,9 +54,9 @@ class Idling {
     if (!budget_.step()) return false;
     const auto idle = newton_.idle(a);
     if (idle.least == joints) return false;
-    Values middle = middle_of(a, b);
-    if (!quartic::polish(task_, Scalar(0), middle, budget_, idle.is)) return false;
-    return is_between(middle, a, b);
+    Values place = place_between(a, b);
+    if (!quartic::polish(task_, Scalar(0), place, budget_, idle.is)) return false;
+    return is_between(place, a, b);
   }
 
  private:
