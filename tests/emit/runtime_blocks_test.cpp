@@ -250,10 +250,11 @@ TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
               HasSubstr("header.h:4: another number of arguments than doubt has"));
   EXPECT_THAT(error_of("const auto g = [&](Scalar y) { return y; };"), HasSubstr("header.h:4:"));
   EXPECT_THAT(error_of("return (x;"), HasSubstr("header.h:"));
+  EXPECT_THAT(error_in("struct A {\n  int b() const;\n};\n"),
+              HasSubstr("header.h:3: a member function without a body: int b() const;"));
   for (const char* header :
        {"template <typename Scalar", "template <typename Scalar>\nstruct A {\n  int b;\n", "Scalar f(",
-        "inline constexpr double a = 1", "Scalar f()", "Scalar", "struct A {\n  int b\n};\n",
-        "struct A {\n  int b() const;\n};\n"})
+        "inline constexpr double a = 1", "Scalar f()", "Scalar", "struct A {\n  int b\n};\n"})
     EXPECT_THAT(error_in(header), HasSubstr("header.h:")) << header;
 }
 

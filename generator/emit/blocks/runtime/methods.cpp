@@ -23,6 +23,14 @@ struct Members {
   std::set<std::string> makers;  ///< static functions that return the struct
 };
 
+/// Places in a function's words, and what it is.
+struct Signature {
+  std::size_t bracket = 0, end = 0;  ///< of its parameters
+  std::size_t body = 0;
+  bool is_constructor = false;
+  bool has_object = false;
+};
+
 Token word(const std::string& text, int line, Kind kind = Kind::name) { return {kind, text, line}; }
 
 class Methods {
@@ -82,7 +90,8 @@ class Methods {
     std::size_t at = next(from, ";={(");
     if (text(at) == "(") {
       const std::string& name = text(at - 1);
-      at = next(closing(file_, in_, at), "{");
+      at = next(closing(file_, in_, at), "{;");
+      if (text(at) == ";") throw error_at(file_, in_[at].line, "a member function without a body");
       at = closing(file_, in_, at) + 1;
       into.functions.emplace_back(in_.begin() + static_cast<int>(from), in_.begin() + static_cast<int>(at));
       const Tokens& all = into.functions.back();
@@ -122,37 +131,65 @@ class Methods {
   void function(const Tokens& all, const Members& of) {
     line_ = all.front().line;
     const std::size_t first = out_.size();
-    if (of.is_template)
-      for (const char* each : {"template", "<", "typename", "Scalar", ">"}) put_name(each);
-    std::size_t bracket = 0;
-    bool is_static = false;
-    for (; all[bracket].text != "("; ++bracket) is_static = is_static || all[bracket].text == "static";
-    const std::size_t end = closing(file_, all, bracket);
-    const std::string& name = all[bracket - 1].text;
-    const bool is_maker = name == of.name;
-    if (is_maker)
-      put_type(of);
+    const Signature signature = signature_of(all, of);
+    if (of.is_template) put_template();
+    put_head(all, signature, of);
+    if (signature.is_constructor)
+      put_construction(all, signature.body, of);
     else
-      put_result(all, bracket - 1, of);
-    put_name(is_maker ? snake(name) : of.makers.count(name) > 0 ? name + "_" + snake(of.name) : name);
-    put("(");
-    if (!is_maker && !is_static) put_object(all[end + 1].text == "const", end > bracket + 1, of);
-    put_inside(all, bracket + 1, end + 1, of, !is_static);
-    std::size_t body = end + 1;
-    while (all[body].text != "{") ++body;
-    if (is_maker) {
-      put("{");
-      put_type(of);
-      put_name("self");
-      put(";");
-      put_inside(all, body + 1, all.size() - 1, of, true);
-      for (const char* each : {"return", "self"}) put_name(each);
-      for (const char* each : {";", "}"}) put(each);
-      constructed_.insert(of.name);
-    } else {
-      put_inside(all, body, all.size(), of, !is_static);
-    }
+      put_inside(all, signature.body, all.size(), of, signature.has_object);
     out_[first].comment = all.front().comment;
+  }
+
+  void put_template() {
+    put_name("template");
+    put("<");
+    put_name("typename");
+    put_name("Scalar");
+    put(">");
+  }
+
+  Signature signature_of(const Tokens& all, const Members& of) const {
+    Signature found;
+    bool is_static = false;
+    for (; all[found.bracket].text != "("; ++found.bracket)
+      is_static = is_static || all[found.bracket].text == "static";
+    found.end = closing(file_, all, found.bracket);
+    found.is_constructor = all[found.bracket - 1].text == of.name;
+    found.has_object = !is_static && !found.is_constructor;
+    found.body = found.end;
+    while (all[found.body].text != "{") ++found.body;
+    return found;
+  }
+
+  /// Writes result, name and parameters.
+  void put_head(const Tokens& all, const Signature& signature, const Members& of) {
+    const std::string& name = all[signature.bracket - 1].text;
+    if (signature.is_constructor) {
+      put_type(of);
+      put_name(snake(name));
+    } else {
+      put_result(all, signature.bracket - 1, of);
+      put_name(of.makers.count(name) > 0 ? name + "_" + snake(of.name) : name);
+    }
+    put("(");
+    const bool others_follow = signature.end > signature.bracket + 1;
+    if (signature.has_object) put_object(all[signature.end + 1].text == "const", others_follow, of);
+    put_inside(all, signature.bracket + 1, signature.end + 1, of, false);
+  }
+
+  /// Writes the body of a constructor: it makes an object and returns it.
+  void put_construction(const Tokens& all, std::size_t body, const Members& of) {
+    put("{");
+    put_type(of);
+    put_name("self");
+    put(";");
+    put_inside(all, body + 1, all.size() - 1, of, true);
+    put_name("return");
+    put_name("self");
+    put(";");
+    put("}");
+    constructed_.insert(of.name);
   }
 
   void put_type(const Members& of) {

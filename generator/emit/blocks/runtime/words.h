@@ -7,7 +7,8 @@
 //     Scalar share(const Scalar& a, const Mask<Scalar>& b)            { return (a) / 2.0; }
 //     { return Scalar(a) / Scalar(2); }
 //
-// A flag among the parameters of a template is the first parameter in C.
+// A flag among the parameters of a template is the first parameter in C. Methods become functions first
+// (methods.h). Where the namespace `polynomial` has a function, it is the one for doubles: C has no other.
 #pragma once
 
 #include <functional>

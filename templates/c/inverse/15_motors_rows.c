@@ -1,0 +1,113 @@
+// Rows of joints as rows of motors: the representative nearest to a seed, one beside it, or all of them, one after the other.
+
+/// Rows of joints as rows of motors. Returns how many there are.
+static int rows_in_motors(Solutions* found) {
+  double joints[dof];
+  for (int k = 0; k < found->count; ++k) {
+    memcpy(joints, found->rows[k].q, sizeof joints);
+    motors_by(joints, found->rows[k].q);
+  }
+  return found->count;
+}
+
+/// Keeps of each row the representative whose motors are nearest to the seed, if it has one inside the limits; the nearest row
+/// first.
+static int keep_within_motors(Solutions* found, const double* seed, const double* lower, const double* upper) {
+  WithinMotors within;
+  double squares[capacity];
+  bool is_cut = false;
+  int kept = 0;
+  set_within_motors(&within, lower, upper, seed);
+  for (int k = 0; k < found->count; ++k) {
+    Solution row = found->rows[k];
+    double square = 0;
+    if (!take_nearest_turn(&within, row.q, &square, &is_cut)) continue;
+    squares[kept] = square;
+    found->rows[kept++] = row;
+  }
+  const int status = is_cut ? status_incomplete : found->status;
+  found->status = status;
+  found->count = kept;
+  sort_rows(found->rows, kept, squares);
+  // A row inside the limits may be among those that an incomplete set lacks.
+  if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
+  return kept;
+}
+
+/// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
+static int keep_near_within_motors(const double* lower, const double* upper, Solutions* found) {
+  if (found->count == 0) return 0;
+  WithinMotors within;
+  set_within_motors(&within, lower, upper, found->rows[0].q);
+  if (take_inside(&within, found->rows[0].q)) return 1;
+  found->count = 0;
+  found->status = status_unreachable;
+  return 0;
+}
+
+static void start_motor_representatives(const Solutions* found, const double* lower, const double* upper,
+                                        Representatives* all) {
+  all->solutions = found;
+  all->next_row = 0;
+  memcpy(all->lower, lower, sizeof all->lower);
+  memcpy(all->upper, upper, sizeof all->upper);
+  all->level = -1;
+}
+
+static void open_level(const WithinMotors* within, const Values* from, Representatives* all) {
+  ++all->level;
+  start_turns(&all->turns[all->level], from, all->level, &within->ranges[all->level]);
+}
+
+/// Goes to the next representative of a row; false if there is none.
+static bool next_of_row(const WithinMotors* within, Representatives* all) {
+  double number = 0;
+  while (all->level >= 0) {
+    const int level = all->level;
+    Turns* turns = &all->turns[level];
+    if ((within->ranges[level].is_open && turns->has_one != 0) ||
+        !next_turn(turns, level, &within->ranges[level], &number)) {
+      --all->level;
+      continue;
+    }
+    const Values values = turned_values(turns, level, number);
+    if (!is_inside(within, level, &values)) continue;
+    if (level + 1 < turn_count) {
+      open_level(within, &values, all);
+      continue;
+    }
+    take_motors(within, &values, all->row.q);
+    for (int i = 0; i < bounded; ++i) all->turns[i].has_one = 1;
+    return true;
+  }
+  return false;
+}
+
+/// Begins with a row that has a representative inside. Returns true if that stands in `row` already.
+static bool begin_row(const WithinMotors* within, Representatives* all) {
+  const Values values = values_of(all->row.q);
+  if (!is_inside(within, -1, &values)) return false;
+  if (turn_count > 0) {
+    open_level(within, &values, all);
+    return next_of_row(within, all);
+  }
+  take_motors(within, &values, all->row.q);
+  return true;
+}
+
+/// Goes through the turns of a row's joints, then to the next row that has a representative inside.
+static bool next_motor_representative(Representatives* all) {
+  const double zero[dof] = {0};
+  WithinMotors within;
+  set_within_motors(&within, all->lower, all->upper, zero);
+  if (next_of_row(&within, all)) return true;
+  while (all->next_row < all->solutions->count) {
+    double square = 0;
+    bool is_cut = false;
+    all->row = all->solutions->rows[all->next_row++];
+    double nearest[dof];
+    memcpy(nearest, all->row.q, sizeof nearest);
+    if (take_nearest_turn(&within, nearest, &square, &is_cut) && begin_row(&within, all)) return true;
+  }
+  return false;
+}
