@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, RobotsOfLibrary, ::testing::Values("puma560", "
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(DynamicsNotation, GivesEqualCountsInC) {
-  const model::Robot robot = robot_of_library("rrp");
+  const model::Robot robot = robot_of_library("ns_arm");
   expect_counts(robot, counts_of(robot, pipeline::Language::c), pipeline::Language::c);
 }
 
