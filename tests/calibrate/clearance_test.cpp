@@ -216,7 +216,7 @@ TEST(Clearance, MistakesOfTablesHaveTheirLine) {
 
 /// Links, in order: a base with a pedestal, a moving one with a bracket beside a fixed one of the chain, and
 /// a finger that moves beside the chain.
-const char* const urdf = R"(<robot name="arm">
+const char* const arm_with_bracket = R"(<robot name="arm">
   <link name="base"><collision><origin xyz="0.1 0 0"/><geometry><sphere radius="0.2"/></geometry></collision></link>
   <link name="pedestal"><collision><geometry><sphere radius="0.3"/></geometry></collision>
     <collision><geometry><box size="1 1 1"/></geometry></collision></link>
@@ -235,9 +235,9 @@ const char* const urdf = R"(<robot name="arm">
 
 TEST(Clearance, UrdfsHaveSpheresOfTheirOwn) {
   const qvgen::description::ReadOptions options{.tip = "l2"};
-  const auto found = qvgen::description::read_text(urdf, "arm.urdf", options);
+  const auto found = qvgen::description::read_text(arm_with_bracket, "arm.urdf", options);
   ASSERT_TRUE(found.robot);
-  const std::vector<Sphere> spheres = spheres_of_urdf(urdf, options, *found.robot);
+  const std::vector<Sphere> spheres = spheres_of_urdf(arm_with_bracket, options, *found.robot);
   const Balls expected{{0, {0.1, 0, 0}, 0.2},
                        {0, {0, 0, -1}, 0.3},
                        {1, {0, 0, 0.05}, 0.04},
@@ -252,9 +252,9 @@ TEST(Clearance, UrdfsHaveSpheresOfTheirOwn) {
   EXPECT_TRUE(spheres_of_urdf("name = \"arm\"", options, *found.robot).empty());
   // A joint that is held takes what is behind it along.
   const qvgen::description::ReadOptions held{.tip = "l2", .fixed = {"j1"}};
-  const auto with_one = qvgen::description::read_text(urdf, "arm.urdf", held);
+  const auto with_one = qvgen::description::read_text(arm_with_bracket, "arm.urdf", held);
   ASSERT_TRUE(with_one.robot);
-  EXPECT_EQ(spheres_of_urdf(urdf, held, *with_one.robot).back().link, 1U);
+  EXPECT_EQ(spheres_of_urdf(arm_with_bracket, held, *with_one.robot).back().link, 1U);
 }
 
 }  // namespace

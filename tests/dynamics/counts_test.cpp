@@ -2,6 +2,7 @@
 // Operation counts, exact: a change that makes a function cheaper or dearer shows here.
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,14 @@ struct Case {
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name << ", " << c.function; }
 
+/// The arm of a table, which is found once for all of its functions.
+const DynamicsModel& model_of(const Case& c) {
+  static std::map<std::string, DynamicsModel> models;
+  const auto known = models.find(c.name);
+  return known != models.end() ? known->second
+                               : models.emplace(c.name, dynamics_model(robot_of(c.table))).first->second;
+}
+
 class FreeInertias : public testing::TestWithParam<Case> {};
 
 /// All inertias symbols, in base parameters. The fewest published: PUMA 560 301/240 and 247/163, Stanford arm
@@ -60,7 +69,7 @@ TEST_P(FreeInertias, TakesThatManyOperations) {
   const auto quantity =
       std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == c.function; });
   ASSERT_NE(quantity, all.end());
-  const dag::OperationCounts counts = generate_dynamics(dynamics_model(robot_of(c.table)), *quantity).counts;
+  const dag::OperationCounts counts = generate_dynamics(model_of(c), *quantity).counts;
   EXPECT_EQ(counts.multiplications, c.multiplications);
   EXPECT_EQ(counts.additions, c.additions);
   EXPECT_EQ(counts.divisions, 0);

@@ -123,7 +123,7 @@ TEST(FloatingTrees, PassTheirCertificates) {
   const optimise::DynamicsEffort little{.trial_steps = 500, .final_steps = 2'000, .certificate_points = 1};
   for (const unsigned seed : {3U, 4U, 8U}) {
     const std::string text = TreeWriter(seed).floating_tree(3, seed % 3 == 0).floating;
-    const optimise::DynamicsModel model = optimise::dynamics_model(read(text));
+    const optimise::DynamicsModel model = optimise::dynamics_model(read(text), little);
     std::vector<optimise::DynamicsQuantity> all = optimise::dynamics_quantities();
     for (const auto& quantity : optimise::floating_base_quantities(model.described)) all.push_back(quantity);
     for (const auto& quantity : optimise::mass_quantities(model.described)) all.push_back(quantity);

@@ -100,7 +100,7 @@ TEST(Trees, PassTheirCertificates) {
   const optimise::DynamicsEffort little{.trial_steps = 500, .final_steps = 2'000, .certificate_points = 1};
   for (const unsigned seed : {3U, 4U, 8U, 9U}) {
     const std::string text = TreeWriter(seed).tree(4, seed % 3 == 0);
-    const optimise::DynamicsModel model = optimise::dynamics_model(read(text));
+    const optimise::DynamicsModel model = optimise::dynamics_model(read(text), little);
     std::vector<optimise::DynamicsQuantity> all = optimise::dynamics_quantities();
     for (const optimise::DynamicsQuantity& quantity : optimise::mass_quantities(model.described))
       all.push_back(quantity);

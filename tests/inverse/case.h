@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <random>
+#include <string>
 
 #include "reference/load.h"
 #include "robot_under_test.h"
@@ -26,6 +28,12 @@ class Case {
   }
 
   void seed(unsigned number) { random_.seed(number); }
+
+  /// Counts how often a pose of a set was searched for, and how often one was found.
+  struct Searches {
+    int tried = 0, found = 0;
+  };
+  Searches& searches(const std::string& set) { return searches_[set]; }
 
   /// Uniform in [-pi, pi), metres for slides.
   Eigen::VectorXd joints();
@@ -91,6 +99,7 @@ class Case {
   InverseUnderTest robot_;
   reference::Chain chain_;
   std::mt19937_64 random_{20070711};
+  std::map<std::string, Searches> searches_;
 };
 
 }  // namespace qvgen::test

@@ -236,9 +236,22 @@ Drawn invalid(Case& test, int i) {
   return sample;
 }
 
+/// A set whose poses are searched for. A search in vain is the longest: an arm of which sixty find nothing
+/// has no such pose.
+PoseSet searched(const std::string& name, const std::function<Drawn(Case&, int)>& draw) {
+  const auto search = [name, draw](Case& test, int i) -> Drawn {
+    Case::Searches& searches = test.searches(name);
+    if (searches.found == 0 && searches.tried >= 60) return std::nullopt;
+    const Drawn drawn = draw(test, i);
+    ++searches.tried;
+    searches.found += drawn ? 1 : 0;
+    return drawn;
+  };
+  // An arm's lengths decide which of these it has.
+  return {name, search, [](const Case&) { return false; }};
+}
+
 bool has_six_joints(const Case& test) { return test.dof() >= 6; }
-/// True if an arm has them depends on its lengths.
-bool no_arm(const Case&) { return false; }
 
 std::vector<PoseSet> all() {
   return {{"random", random_pose},
@@ -246,10 +259,10 @@ std::vector<PoseSet> all() {
           {"theta5 = pi", [](Case& test, int) { return with_theta5(test, pi); }, has_six_joints},
           {"theta5 = 10^-u", [](Case& test, int) { return with_theta5(test, nearly_zero(test)); },
            has_six_joints},
-          {"centre on axis 1", centre_on_first_axis, no_arm},
-          {"tool on axis 1", tool_on_first_axis, no_arm},
-          {"boundary", at_a_boundary, no_arm},
-          {"just outside", just_outside, no_arm},
+          searched("centre on axis 1", centre_on_first_axis),
+          searched("tool on axis 1", tool_on_first_axis),
+          searched("boundary", at_a_boundary),
+          searched("just outside", just_outside),
           {"far outside", far_outside},
           {"float32", rounded_to_float},
           {"45° lattice", lattice},
