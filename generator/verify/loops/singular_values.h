@@ -16,6 +16,7 @@ struct SingularMotions {
       motions;  ///< orthonormal columns in the order of the values, then those that the matrix maps to zero
 };
 
+/// Returns the decomposition of a matrix with a column for each joint.
 SingularMotions singular_motions(const Eigen::MatrixXd& matrix);
 
 }  // namespace qvgen::verify
