@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
-
 #include "verify/loops/mobility.h"
+#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -19,11 +18,10 @@ constexpr double rank_share = 1e-7;
 
 /// Returns the motions of all joints that the loops allow, a column each.
 MatrixXd motions_at(const MatrixXd& jacobian) {
-  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-  const auto& values = svd.singularValues();
+  const auto [values, motions] = singular_motions(jacobian);
   const auto rank =
       (values.array() > rank_share * std::max(values.size() > 0 ? values[0] : 0.0, 1e-300)).count();
-  return svd.matrixV().rightCols(jacobian.cols() - rank);
+  return motions.rightCols(jacobian.cols() - rank);
 }
 
 /// Goes through the sets of joints of one size, in their order.
@@ -56,7 +54,7 @@ class Search {
       MatrixXd rows(static_cast<Eigen::Index>(chosen_.size()), motions.cols());
       for (Eigen::Index i = 0; i < rows.rows(); ++i)
         rows.row(i) = motions.row(static_cast<Eigen::Index>(chosen_[static_cast<std::size_t>(i)]));
-      return Eigen::JacobiSVD<MatrixXd>(rows).singularValues().minCoeff() > rank_share;
+      return singular_values(rows).minCoeff() > rank_share;
     });
   }
 

@@ -7,7 +7,6 @@
 #include <random>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include "dag/evaluate.h"
 #include "derive/inverse/lower.h"
@@ -16,6 +15,7 @@
 #include "exact/named_constant.h"
 #include "model/private_names.h"
 #include "model/replace.h"
+#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -62,7 +62,7 @@ dag::Function lowered(const symbolic::Program& program) {
 
 int rank_of(const MatrixXd& matrix) {
   if (matrix.rows() == 0) return 0;
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(matrix).singularValues();
+  const VectorXd values = singular_values(matrix);
   return static_cast<int>((values.array() > rank_share * std::max(values[0], 1e-300)).count());
 }
 
@@ -87,9 +87,8 @@ std::vector<std::size_t> redundant_in(const MatrixXd& jacobian, const std::vecto
 }
 
 std::vector<std::size_t> still_in(const MatrixXd& jacobian) {
-  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
   const int rank = rank_of(jacobian);
-  const MatrixXd motions = svd.matrixV().rightCols(jacobian.cols() - rank);
+  const MatrixXd motions = singular_motions(jacobian).motions.rightCols(jacobian.cols() - rank);
   std::vector<std::size_t> result;
   for (Eigen::Index i = 0; i < motions.rows(); ++i)
     if (motions.cols() == 0 || motions.row(i).norm() < rank_share)
