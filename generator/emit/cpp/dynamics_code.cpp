@@ -278,6 +278,12 @@ Code identifiable_parameters_code(const model::Robot& robot, const derive::dynam
 namespace {
 
 /// A parameter for each output, with its name.
+std::vector<std::string> places_in_result(std::size_t count) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < count; ++i) places.push_back("result[" + std::to_string(i) + "]");
+  return places;
+}
+
 json named_parameters(const Code& code, const derive::dynamics::Regressor& regressor) {
   json parameters = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
@@ -317,9 +323,15 @@ Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
   const Code code = base_parameters_code(robot, regressor);
   const bool by_dof = !model::has_followers(robot) && !robot.floating_base;
+  const bool in_few_bytes = bytes_count(robot, code);
+  const json named = named_parameters(code, regressor);
+  const Body body = in_few_bytes ? compact_body_of(code, places_in_result(code.outputs.size())) : Body{};
   return {{"links", by_dof ? "dof" : std::to_string(model::body_count(robot))},
-          {"parameters_of_base", named_parameters(code, regressor)},
-          {"base_set_up", values_of(code.temporaries)},
+          {"parameters_of_base", named},
+          {"base_assignments", in_few_bytes ? json::array() : named},
+          {"base_set_up", in_few_bytes ? json::array() : values_of(code.temporaries)},
+          {"base_declarations", lines_of(body.declarations)},
+          {"base_statements", lines_of(body.statements)},
           {"base_count", code.outputs.size()}};
 }
 
