@@ -34,14 +34,32 @@ std::optional<std::size_t> place_in(Context& context, const toml::node& node,
 }
 
 /// The variables of a robot's joints, by which its links are called too, and the base.
-LoopNames names_of(const model::Robot& robot) {
+LoopNames names_of(const Context& context, const model::Robot& robot) {
   LoopNames names;
   for (const model::Joint& joint : robot.joints) names.joints.push_back(joint.variable);
+  for (const auto& [name, last] : context.composed) {
+    const auto end = names.joints.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    names.composed.emplace(name, std::vector(std::find(names.joints.begin(), end, name + "_x"), end));
+  }
   names.links = names.joints;
   names.links.push_back(base_name);
   names.told = "joint with the variable";
   names.hint = "a link is called by the variable of the joint that moves it, or \"base\"";
   return names;
+}
+
+/// The variables of the parts of a composed joint, if the entry is its name; else nothing.
+std::vector<std::string> parts_in(const toml::node& node, const LoopNames& names) {
+  const auto found = names.composed.find(node.value_exact<std::string>().value_or(""));
+  return found == names.composed.end() ? std::vector<std::string>{} : found->second;
+}
+
+/// Place of a link; the name of a composed joint means its last part.
+std::optional<std::size_t> link_in(Context& context, const toml::node& node, const LoopNames& names) {
+  const std::vector<std::string> parts = parts_in(node, names);
+  if (parts.empty()) return place_in(context, node, names.links, names.told, names.hint);
+  const auto found = std::find(names.links.begin(), names.links.end(), parts.back());
+  return static_cast<std::size_t>(found - names.links.begin());
 }
 
 /// An array of that many entries, or nothing and a report.
@@ -65,7 +83,7 @@ void read_links(const Table& table, const LoopNames& names, model::Loop& loop) {
   if (between == nullptr) return;
   bool known = true;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto link = place_in(context, *between->get(i), names.links, names.told, names.hint);
+    const auto link = link_in(context, *between->get(i), names);
     known = known && link.has_value();
     loop.links.at(i) = link.value_or(model::base_link);
   }
@@ -175,6 +193,18 @@ model::Loop read_loop(const Table& table, const LoopNames& names) {
 
 namespace {
 
+/// Places of the joints that an entry names: all parts of a composed one.
+std::vector<std::size_t> joints_in(Context& context, const toml::node& node, const LoopNames& names) {
+  std::vector<std::size_t> joints;
+  for (const std::string& part : parts_in(node, names)) {
+    const auto found = std::find(names.joints.begin(), names.joints.end(), part);
+    joints.push_back(static_cast<std::size_t>(found - names.joints.begin()));
+  }
+  if (!joints.empty()) return joints;
+  const auto joint = place_in(context, node, names.joints, names.told, "name the variables of joints");
+  return joint ? std::vector{*joint} : joints;
+}
+
 /// Indices of the joints that a list names, each once.
 std::vector<std::size_t> read_joint_list(const Table& root, const std::string& key, const LoopNames& names) {
   const toml::node* node = root.find(key);
@@ -187,11 +217,11 @@ std::vector<std::size_t> read_joint_list(const Table& root, const std::string& k
   }
   std::vector<std::size_t> joints;
   for (const toml::node& element : *array) {
-    const auto joint = place_in(context, element, names.joints, names.told, "name the variables of joints");
-    if (!joint) continue;
-    if (std::find(joints.begin(), joints.end(), *joint) != joints.end())
-      context.error(begin_of(element.source()), "'" + key + "' names this joint twice", "name it once");
-    joints.push_back(*joint);
+    for (const std::size_t joint : joints_in(context, element, names)) {
+      if (std::find(joints.begin(), joints.end(), joint) != joints.end())
+        context.error(begin_of(element.source()), "'" + key + "' names this joint twice", "name it once");
+      joints.push_back(joint);
+    }
   }
   return joints;
 }
@@ -235,14 +265,15 @@ void read_loops(const Table& root, model::Mechanism& mechanism) {
                       "all joints of a tree are driven; a loop makes some of them passive");
     return;
   }
-  LoopNames names = names_of(mechanism.robot);
+  LoopNames names = names_of(context, mechanism.robot);
   for (const Table& table : loop_tables(root)) {
     loops.closures.push_back(read_loop(table, names));
     check_joints(table, mechanism.robot, loops.closures.back());
   }
   refuse_beside_loops(root);
   make_motors_joints(context, mechanism.robot);
-  names.joints = names_of(mechanism.robot).joints;
+  names.joints.clear();
+  for (const model::Joint& joint : mechanism.robot.joints) names.joints.push_back(joint.variable);
   loops.gears = gears_of(context, names.joints, mechanism.robot);
   loops.actuated = read_joint_list(root, "actuated", names);
   loops.outputs = read_joint_list(root, "outputs", names);

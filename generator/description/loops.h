@@ -2,6 +2,10 @@
 // Closed loops in TOML: the joints are a tree, and each [[loop]] says where two of its links meet.
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "description/document.h"
 #include "model/mechanism.h"
 
@@ -10,6 +14,8 @@ namespace qvgen::description {
 /// Names that [[loop]] tables and lists of joints may use; links of a TOML file are called by their joints.
 struct LoopNames {
   std::vector<std::string> links, joints;
+  /// Joints of several parts: the variables of these.
+  std::map<std::string, std::vector<std::string>> composed = {};
   std::string told;  ///< how a message calls a link
   std::string hint;  ///< how a link is called
 };

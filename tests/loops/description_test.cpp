@@ -36,6 +36,27 @@ TEST(LoopDescription, ReadsClosuresWithTheJointsThatAreDriven) {
   EXPECT_EQ(result.loops.actuated, std::vector<std::size_t>{0});
 }
 
+/// A platform on a planar joint: its own name means its last part between links, all parts in lists.
+TEST(LoopDescription, NamesComposedJointsByTheirOwnNames) {
+  const auto read = [](const std::string& link, const std::string& outputs) {
+    return description::read_text("name = \"m\"\ntitle = \"m\"\nactuated = [\"a\"]\noutputs = [" + outputs +
+                                      "]\n[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"a\"\n"
+                                      "[[joint]]\ntype = \"planar\"\nvariable = \"p\"\nparent = \"base\"\n" +
+                                      rod("[\"a\", \"" + link + "\"]") + tip,
+                                  "m.toml");
+  };
+  const auto own = read("p", "\"p\""), parts = read("p_z", "\"p_x\", \"p_y\", \"p_z\"");
+  ASSERT_EQ(own.loops.closures.size(), 1U);
+  EXPECT_EQ(own.loops.closures[0].links[1], 3U);
+  EXPECT_EQ(own.loops.closures[0].links, parts.loops.closures[0].links);
+  EXPECT_EQ(own.loops.outputs, (std::vector<std::size_t>{1, 2, 3}));
+  EXPECT_EQ(own.loops.outputs, parts.loops.outputs);
+  const auto twice = read("p", "\"p_y\", \"p\"");
+  ASSERT_EQ(twice.diagnostics.size(), 1U);
+  EXPECT_THAT(description::to_string(twice.diagnostics[0]),
+              HasSubstr("m.toml:4:19: error: 'outputs' names this joint twice"));
+}
+
 TEST(LoopDescription, NamesALinkThatIsNotThereWithItsPlace) {
   const std::string error = first_error(two_links + rod("[\"a\", \"bb\"]") + tip);
   EXPECT_THAT(error, HasSubstr("m.toml:15:"));

@@ -2,8 +2,10 @@
 #include "emit/cpp/compact.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "emit/cpp/tidy.h"
@@ -16,8 +18,8 @@ namespace {
 constexpr std::size_t many_values = 700;
 /// Robots of more joints are whole ones, or limbs from their base on.
 constexpr std::size_t most_joints_of_an_arm = 8;
-/// A number that is used less often is not worth a name.
-constexpr int fewest_uses = 3;
+/// Characters that a name of a number takes where it is used, and beside the number where it is declared.
+constexpr std::size_t named_use = 3, named_declaration = 5;
 /// A matrix with a larger part of other entries gets zeros one by one: set twice they would cost
 /// instructions.
 constexpr std::size_t zeros_an_entry = 3;
@@ -27,6 +29,8 @@ constexpr std::size_t indent = 2;
 
 constexpr std::string_view begin_of_number = "Scalar(";
 constexpr std::string_view zero = "Scalar(0)";
+/// Another name of Scalar for numbers.
+constexpr std::string_view short_number = "N(";
 
 /// Copies the text with every number, `Scalar(0.5)`, as `change` gives it.
 template <class Change>
@@ -48,35 +52,94 @@ void for_each_expression(Code& code, const Use& use) {
     for (Code::Value& value : *values) use(value.expression);
 }
 
-/// Name `index` of those that begin with one of the letters: two characters, then three. The second is no
-/// small letter, as in every keyword.
-std::string short_name(std::string_view letters, std::size_t index) {
-  constexpr std::string_view digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-  constexpr std::size_t second = 36;
-  std::string name{letters[index % letters.size()]};
-  index /= letters.size();
-  name += digits[index % second];
-  for (index /= second; index > 0; index /= digits.size()) name += digits[index % digits.size()];
-  return name;
+/// Names of temporaries, the shortest first. None is a keyword or the name of a parameter, of an object of
+/// results (r, r1, ...), of an angle (c1, s1, ...) or of a macro of usual headers.
+class ShortNames {
+ public:
+  std::string next() {
+    if (place_ < singles.size()) return std::string{singles[place_++]};
+    for (;; ++place_) {
+      const std::string name = longer(place_ - singles.size());
+      if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
+      ++place_;
+      return name;
+    }
+  }
+
+ private:
+  static constexpr std::string_view singles = "tuvwxzabdefhilop", firsts = "tuvwxzabdefghilmnop";
+  static constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                                    small = "abcdefghijklmnopqrstuvwxyz";
+  static constexpr std::string_view digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  static constexpr std::array<std::string_view, 4> taken{"at", "do", "if", "or"};
+  /// Digits and capitals, which stand in no keyword.
+  static constexpr std::size_t no_small_letter = 36;
+
+  /// A small letter and a character; a capital and a small letter; then a small letter and two or more
+  /// others.
+  static std::string longer(std::size_t index) {
+    const std::size_t of_small = firsts.size() * digits.size(), of_capitals = capitals.size() * small.size();
+    if (index < of_small) return pair(firsts, digits, index);
+    if (index < of_small + of_capitals) return pair(capitals, small, index - of_small);
+    index -= of_small + of_capitals;
+    std::string name = pair(firsts, digits.substr(0, no_small_letter), index);
+    index /= firsts.size() * no_small_letter;
+    do {
+      name += digits[index % digits.size()];
+      index /= digits.size();
+    } while (index > 0);
+    return name;
+  }
+  static std::string pair(std::string_view first, std::string_view second, std::size_t index) {
+    return {first[index % first.size()], second[index / first.size() % second.size()]};
+  }
+
+  std::size_t place_ = 0;
+};
+
+/// True if a name for the number makes the code shorter.
+bool deserves_name(const std::string& number, std::size_t uses) {
+  return uses * number.size() > uses * named_use + number.size() + named_declaration;
 }
 
-/// Names the numbers that are used often, in the order of their first use.
+/// Declares numbers that are used often, in the order of their first use.
 Code with_named_numbers(Code code) {
-  std::map<std::string, int> uses;
+  std::map<std::string, std::size_t> uses;
   for_each_expression(code, [&](std::string& text) {
     with_numbers(text, [&](const std::string& number) { return ++uses[number], number; });
   });
   std::map<std::string, std::string> names;
   std::vector<Code::Value> numbers;
   const auto named = [&](const std::string& number) {
-    if (uses[number] < fewest_uses || number == zero) return number;
-    const auto [place, is_new] = names.emplace(number, short_name("n", names.size()));
+    if (number == zero || !deserves_name(number, uses[number])) return number;
+    const auto [place, is_new] = names.emplace(number, "t_n" + std::to_string(names.size()));
     if (is_new) numbers.push_back({place->second, number});
     return place->second;
   };
   for_each_expression(code, [&](std::string& text) { text = with_numbers(text, named); });
   code.temporaries.insert(code.temporaries.begin(), numbers.begin(), numbers.end());
   return code;
+}
+
+/// Numbers by the other name of Scalar, without a zero in front of the point: N(.5).
+Code with_short_numbers(Code code) {
+  for_each_expression(code, [](std::string& text) {
+    text = with_numbers(text, [](const std::string& number) {
+      if (number == zero) return number;
+      std::string digits = number.substr(begin_of_number.size());
+      if (digits.starts_with("0.")) digits.erase(0, 1);
+      return std::string(short_number) + digits;
+    });
+  });
+  return code;
+}
+
+bool has_short_numbers(const Code& code) {
+  const auto has = [](const Code::Value& value) {
+    return value.expression.find(short_number) != std::string::npos;
+  };
+  return std::any_of(code.temporaries.begin(), code.temporaries.end(), has) ||
+         std::any_of(code.outputs.begin(), code.outputs.end(), has);
 }
 
 bool continues_word(char c) {
@@ -96,21 +159,55 @@ std::string with_words(const std::string& text, const Change& change) {
   return result;
 }
 
-/// Gives temporaries t0, t1, ... short names. Those of angles begin with c and s, parameters are q and k.
+/// Gives temporaries t0, t1, ... short names, the shortest to those that are used most. Those of angles begin
+/// with c and s, parameters are q and k.
 Code with_short_names(Code code) {
+  std::map<std::string, std::size_t> uses;
+  for_each_expression(code, [&](std::string& text) {
+    with_words(text, [&](const std::string& word) { return ++uses[word], word; });
+  });
+  std::vector<std::string> order;
+  for (const Code::Value& value : code.temporaries)
+    if (value.name.front() == 't') order.push_back(value.name);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const std::string& a, const std::string& b) { return uses[a] > uses[b]; });
   std::map<std::string, std::string> names;
-  for (Code::Value& value : code.temporaries)
-    if (value.name.front() == 't') {
-      const std::string name = short_name("tuvwxzabdefghilmop", names.size());
-      names.emplace(value.name, name);
-      value.name = name;
-    }
+  ShortNames unused;
+  for (const std::string& name : order) names.emplace(name, unused.next());
   const auto renamed = [&](const std::string& word) {
     const auto known = names.find(word);
     return known == names.end() ? word : known->second;
   };
+  for (Code::Value& value : code.temporaries) value.name = renamed(value.name);
   for_each_expression(code, [&](std::string& text) { text = with_words(text, renamed); });
   return code;
+}
+
+/// Index of the bracket that closes the one at `begin`; nothing if what it holds is more than sums and
+/// products.
+std::optional<std::size_t> end_of_sum(std::string_view text, std::size_t begin) {
+  std::size_t depth = 0;
+  for (std::size_t at = begin; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '(') ++depth;
+    if (c == ')' && --depth == 0) return at;
+    if (std::string_view("?,<>{};&=|").find(c) != std::string_view::npos) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Leaves out brackets around the first terms of a sum, which are added first without them as well:
+/// (a+b)-c becomes a+b-c. Text without spaces.
+std::string without_first_brackets(std::string text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    while (text[at] == '(' && (at == 0 || text[at - 1] == '(')) {
+      const auto end = end_of_sum(text, at);
+      if (!end || *end + 1 >= text.size() || (text[*end + 1] != '+' && text[*end + 1] != '-')) break;
+      text.erase(*end, 1);
+      text.erase(at, 1);
+    }
+  }
+  return text;
 }
 
 /// Leaves out spaces, but not between two signs or two words.
@@ -210,7 +307,7 @@ class Objects {
   void count(const Place& place, bool is_zero) {
     auto at = find(place.object) - objects_.begin();
     if (at == static_cast<std::ptrdiff_t>(objects_.size()))
-      objects_.push_back({place.object, "r" + std::to_string(at), !place.index.empty()});
+      objects_.push_back({place.object, at == 0 ? "r" : "r" + std::to_string(at), !place.index.empty()});
     Object& object = objects_[static_cast<std::size_t>(at)];
     ++object.all;
     object.zeros += is_zero ? 1 : 0;
@@ -226,8 +323,8 @@ bool bytes_count(const model::Robot& robot, const Code& code) {
 }
 
 Code compact(const Code& code) {
-  Code result = with_short_names(with_named_numbers(code));
-  for_each_expression(result, [](std::string& text) { text = without_spaces(text); });
+  Code result = with_short_numbers(with_short_names(with_named_numbers(code)));
+  for_each_expression(result, [](std::string& text) { text = without_first_brackets(without_spaces(text)); });
   return result;
 }
 
@@ -281,8 +378,9 @@ Body body_of(const Code& code, const std::vector<std::string>& places) {
 
 Body compact_body_of(const Code& code, const std::vector<std::string>& places) {
   const Code shorter = compact(code);
-  Body body{{compact_declarations(shorter)}, {compact_statements(assignments(places, shorter.outputs))}};
-  if (shorter.temporaries.empty()) body.declarations.clear();
+  Body body{{}, {compact_statements(assignments(places, shorter.outputs))}};
+  if (has_short_numbers(shorter)) body.declarations.emplace_back("using N=Scalar");
+  if (!shorter.temporaries.empty()) body.declarations.push_back(compact_declarations(shorter));
   return body;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Functions of robots of many joints, humanoids among them, in half as many bytes: numbers that come back
-// have names, names are short, no spaces stand between operators, one declaration has many values, and zeros
-// are set at once. What is computed stays the same, bit for bit. Example: `const Scalar t800 = t7 *
-// Scalar(0.5);` becomes `w4=t7*n3` in a list.
+// have names, names are short, those used most the shortest, no spaces stand between operators, no brackets
+// around the first terms of a sum, one declaration has many values, and zeros are set at once. What is
+// computed stays the same, bit for bit. Example: `const Scalar t800 = t7 * Scalar(0.5);` becomes `w4=t*N(.5)`
+// in a list.
 #pragma once
 
 #include "emit/code.h"
@@ -16,7 +17,7 @@ bool bytes_count(const model::Robot& robot, const Code& code);
 /// Operations written inline in one expression of compact code.
 inline constexpr int compact_inline = 8;
 
-/// Returns code of C++ in fewer bytes: short names, no spaces.
+/// Returns code of C++ in fewer bytes: short names, no spaces; N is another name of Scalar.
 Code compact(const Code& code);
 
 /// Returns one declaration of all temporaries of compact code, without a semicolon.

@@ -278,6 +278,31 @@ Code identifiable_parameters_code(const model::Robot& robot, const derive::dynam
 namespace {
 
 /// A parameter for each output, with its name.
+/// Declarations without a semicolon, and whole statements, each with the parameter's name unless bytes count.
+Body base_parameter_body(const model::Robot& robot, const Code& code, const std::vector<std::string>& names) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < names.size(); ++i) places.push_back("result[" + std::to_string(i) + "]");
+  if (bytes_count(robot, code)) {
+    Body body = compact_body_of(code, places);
+    for (std::string& statement : body.statements) statement += ";";
+    return body;
+  }
+  Body body;
+  for (const auto& [name, expression] : code.temporaries)
+    body.declarations.push_back("const Scalar " + name + " = " + expression);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    body.statements.push_back(places[i] + " = " + code.outputs[i].expression + ";  // " + names[i]);
+  return body;
+}
+
+std::vector<std::string> dependent_doc(const std::vector<std::string>& dependences) {
+  std::vector<std::string> lines{
+      "Columns, from 0, that are combinations of others by factors with lengths or angles",
+      "A least squares that needs independent columns leaves them out"};
+  lines.insert(lines.end(), dependences.begin(), dependences.end());
+  return lines;
+}
+
 json named_parameters(const Code& code, const derive::dynamics::Regressor& regressor) {
   json parameters = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
@@ -299,7 +324,7 @@ json identifiable_parameter_values(const model::Robot& robot,
           {"identifiable_count", code.outputs.size()},
           {"parameter_set_up", values_of(code.temporaries)},
           {"left_out", lines_of(drive_regressor.left_out)},
-          {"dependences", lines_of(drive_regressor.dependences)},
+          {"dependent_doc", lines_of(dependent_doc(drive_regressor.dependences))},
           {"dependent_count", drive_regressor.dependent.size()},
           {"dependent", fmt::format("{}", fmt::join(drive_regressor.dependent, ", "))}};
 }
@@ -317,9 +342,11 @@ Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
   const Code code = base_parameters_code(robot, regressor);
   const bool by_dof = !model::has_followers(robot) && !robot.floating_base;
+  const Body body = base_parameter_body(robot, code, regressor.names);
   return {{"links", by_dof ? "dof" : std::to_string(model::body_count(robot))},
           {"parameters_of_base", named_parameters(code, regressor)},
-          {"base_set_up", values_of(code.temporaries)},
+          {"base_declarations", lines_of(body.declarations)},
+          {"base_statements", lines_of(body.statements)},
           {"base_count", code.outputs.size()}};
 }
 
