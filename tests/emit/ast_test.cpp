@@ -72,6 +72,13 @@ TEST(SyntaxTree, StatementsInThreeLanguages) {
             "loop k0 (literal 2)\n  declare Work p (name w)\n  assign (member x (name w)) (name k0)\n");
 }
 
+TEST(SyntaxTree, ArraysInThreeLanguages) {
+  const Statements statements{array({"Branch", Element::plain}, "both", 2)};
+  EXPECT_EQ(joined(emit::cpp().lines(statements)), "inverse::Branch<double> both[2];\n");
+  EXPECT_EQ(joined(in_c.lines(statements)), "Branch both[2];\n");
+  EXPECT_EQ(joined(outline.lines(statements, 0)), "declare_array Branch both (literal 2)\n");
+}
+
 /// Names that a tree reads but neither declares nor gets.
 class FreeNames {
  public:
@@ -95,7 +102,9 @@ class FreeNames {
       for (const Statement& each : s.body) read(each);
       known_ = outside;
     }
-    if (s.kind == Statement::Kind::declare || s.kind == Statement::Kind::declare_row) known_.insert(s.name);
+    const bool declares = s.kind == Statement::Kind::declare || s.kind == Statement::Kind::declare_array ||
+                          s.kind == Statement::Kind::declare_row;
+    if (declares) known_.insert(s.name);
   }
 
   void read(const Expression& e) {

@@ -17,9 +17,9 @@ constexpr std::array expressions{"nothing",  "real",          "literal",  "name"
                                  "pi",       "reference",     "usual",    "block",    "direction_block",
                                  "runtime",  "method",        "own",      "polishes", "polishes_seed",
                                  "function", "mathematical",  "named"};
-constexpr std::array statements_of_tree{"declare", "declare_row", "assign",      "evaluate",    "guard",
-                                        "choose",  "loop",        "leave_loop",  "next_round",  "give",
-                                        "scope",   "gap",         "take_nearer", "nearest_root"};
+constexpr std::array statements_of_tree{
+    "declare",    "declare_array", "declare_row", "assign", "evaluate", "guard",       "choose",      "loop",
+    "leave_loop", "next_round",    "give",        "scope",  "gap",      "take_nearer", "nearest_root"};
 
 template <class Names, class Kind>
 std::string name_of(const Names& names, Kind kind) {

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Both signs of a fork side by side: the scalar of the steps of closed loops. A fork's two solutions share
 // all but a sign, so one pass gives both, in the registers of two doubles that every machine has. A lane has
-// the bits that a double has. For generated sources that are compiled by GCC or Clang.
+// the bits that a double has. Compilers without vector types take one number after the other.
 #pragma once
 
+#include <qvgen/inverse/angles.h>
+#if defined(__GNUC__)
 #include <qvgen/inverse/lane_scalar.h>
+#else
+#include <qvgen/inverse/two_numbers.h>
+#endif
 
 namespace qvgen::inverse {
 
 /// The solution for sign 1, and that for sign -1.
+#if defined(__GNUC__)
 using BothSigns = simd::Lanes<double, simd::Doubles<2>>;
+#else
+using BothSigns = TwoNumbers;
+#endif
 
 /// Returns the branch that both signs begin on.
 inline Branch<BothSigns> for_both(const Branch<double>& branch) {
@@ -24,6 +33,8 @@ inline Branch<double> of_sign(const Branch<BothSigns>& both, unsigned sign) {
 
 }  // namespace qvgen::inverse
 
+#if defined(__GNUC__)
 namespace qvgen::simd {
 QVGEN_ARCTANGENTS_OF(inverse::BothSigns)
 }  // namespace qvgen::simd
+#endif
