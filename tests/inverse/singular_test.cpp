@@ -70,6 +70,49 @@ TEST_P(InverseSeed, WhatIsFreeIsMarked) {
   EXPECT_LE(unmarked, 1) << GetParam().name << ":\n" << all.str();
 }
 
+/// Joints of a sample that a row stands for: itself, or marked, as far as a wrist's outer joints.
+bool stands_for(Case& test, const Row& row, const Eigen::VectorXd& q) {
+  constexpr double close = 1e-3;
+  Eigen::VectorXd others = row.q;
+  if (row.continuum)
+    for (const int outer : {test.dof() - 3, test.dof() - 1}) others[outer] = q[outer];
+  return test.distance(others, q) < close;
+}
+
+/// True if the third last axis and the last one are the same line where the joint between is at zero.
+bool has_wrist(Case& test) {
+  Eigen::VectorXd q = test.joints();
+  q[test.dof() - 2] = 0;
+  const Eigen::MatrixXd axes = reference::jacobian(test.chain(), q);
+  const Eigen::VectorXd first = axes.col(test.dof() - 3), last = axes.col(test.dof() - 1);
+  return std::min((first - last).norm(), (first + last).norm()) < 1e-9;
+}
+
+/// Next to where a wrist is straight its outer joints are known to few digits only: rows that may be
+/// elsewhere are marked.
+TEST_P(InverseSeed, WhatIsNearlyFreeIsMarked) {
+  if (GetParam().dof < 6 || GetParam().info.given_joint > 4 || by_elimination() || !has_wrist(test()))
+    GTEST_SKIP() << "no wrist at the end";
+  const auto expect_the_sampled = [&](const char* asked, const Found& found, const Eigen::VectorXd& q) {
+    const bool stands = std::any_of(found.rows.begin(), found.rows.end(),
+                                    [&](const Row& row) { return stands_for(test(), row, q); });
+    EXPECT_TRUE(stands || found.status == Status::incomplete)
+        << GetParam().name << ", " << asked << ": " << q.transpose();
+  };
+  for (int i = 0; i < 200 && !HasFailure(); ++i) {
+    Eigen::VectorXd q = test().joints();
+    const double off = std::pow(10, -test().uniform(6, 16)) * (i / 2 % 2 == 0 ? 1 : -1);
+    q[GetParam().dof - 2] = std::remainder((i % 2 == 0 ? 0 : pi) + off, 2 * pi);
+    const Pose<double> pose = Pose<double>::from_isometry(test().tool(q));
+    const double given = test().given(q);
+    expect_the_sampled("all", GetParam().solve(pose, given, inverse::default_tolerance), q);
+    expect_the_sampled("from a seed", GetParam().solve_from(pose, given, test().joints()), q);
+    expect_the_sampled("near", GetParam().solve_near(pose, given, q), q);
+    expect_the_sampled("within limits", GetParam().solve_within(pose, given, q.array() - 1, q.array() + 1),
+                       q);
+  }
+}
+
 TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {
   for (int i = 0; i < 50; ++i) {
     const Eigen::VectorXd q = test().joints();

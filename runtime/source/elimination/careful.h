@@ -110,6 +110,7 @@ class Careful {
   [[nodiscard]] bool goes_on_beside(const Row& row, std::size_t joint, double by);
   void look_along_crossings();
   [[nodiscard]] bool goes_down_valley(Values& values);
+  [[nodiscard]] bool goes_along_valley(const Reached<double, joints, 3>& floor, Values& values);
   void add_stray(const Values& values);
   [[nodiscard]] bool is_next_to_continuum(const Values& values);
   [[nodiscard]] bool has_row_near(const Values& values, double near) const;

@@ -30,21 +30,25 @@ constexpr double near_row = 0.2;
 
 }  // namespace
 
-/// Takes values at which steps end short of the pose to the floor of a valley, then along it to where two
-/// solutions would meet: there the miss is a square, so Newton's step along the idle joint is half the way.
-/// Returns whether that leads on.
+/// Takes values at which steps end short of the pose to the floor of a valley, then along it. Returns whether
+/// that leads on.
 bool Careful::goes_down_valley(Values& values) {
   const auto start = Newton(task_).reached(values);
   const auto across = Newton::idle(start);
   if (!(start.error < valley_miss * valley_miss * task_.size_square) || across.least == joints) return false;
   Reached<double, joints, 3> floor;
-  if (polish(task_, {0, 1}, values, floor, walks_, across.is)) return true;
+  return polish(task_, {0, 1}, values, floor, walks_, across.is) || goes_along_valley(floor, values);
+}
+
+/// Takes values on the floor of a valley to where two solutions would meet: there the miss is a square, so
+/// Newton's step along the idle joint is half the way. Returns whether that leads on.
+bool Careful::goes_along_valley(const Reached<double, joints, 3>& floor, Values& values) {
   const auto idle = Newton::idle(floor);
   if (idle.least == joints) return false;
   const double unit = task_.arm[idle.least].revolute ? 1 : setup_.chain.size;
   const double way = 2 * std::sqrt(floor.error / idle.square);
   if (!(way < longest_way * unit)) return false;
-  Reached<double, joints, 3> best = floor;
+  double least = floor.error;
   const Values from = values;
   for (const double by : {way, -way}) {
     Values along = from;
@@ -52,11 +56,11 @@ bool Careful::goes_down_valley(Values& values) {
     for (std::size_t j = 0; j < joints; ++j) Newton(task_).advance(j, steps[j], along);
     Reached<double, joints, 3> there;
     polish(task_, {0, 1}, along, there, walks_, idle.is);
-    if (!(there.error < best.error)) continue;
-    best = there;
+    if (!(there.error < least)) continue;
+    least = there.error;
     values = along;
   }
-  return best.error < gain * floor.error;
+  return least < gain * floor.error;
 }
 
 /// Remembers values at which steps have ended short of the pose, if they are next to a continuum for which no

@@ -118,7 +118,7 @@ static JointValues place_between(int joints, const JointValues* a, const JointVa
 }
 
 /// True if a place between two joint values is nearer to each than they are to each other.
-static bool is_between(int joints, const JointValues* place, const JointValues* a, const JointValues* b) {
+static bool lies_between(int joints, const JointValues* place, const JointValues* a, const JointValues* b) {
   const double most = tolerance_between * values_apart(joints, a, b);
   return values_apart(joints, a, place) < most && values_apart(joints, b, place) < most;
 }

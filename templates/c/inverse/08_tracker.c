@@ -65,7 +65,7 @@ static bool are_joined(const Matching* task, const JointValues* a, const Reached
   JointValues place = place_between(task->joints, a, b);
   Reached there;
   return polish(task, quick(0), &place, &there, budget, &idle.columns) &&
-         is_between(task->joints, &place, a, b);
+         lies_between(task->joints, &place, a, b);
 }
 
 /// Solutions so far, by the values of the joints that decide.

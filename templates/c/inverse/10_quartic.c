@@ -168,7 +168,7 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
   const Dependent idle = idle_joints_at(task, a);
   if (idle.least == task->joints) return false;
   JointValues place = place_between(task->joints, a, b);
-  return polish_points(task, 0, &place, budget, &idle.columns) && is_between(task->joints, &place, a, b);
+  return polish_points(task, 0, &place, budget, &idle.columns) && lies_between(task->joints, &place, a, b);
 }
 
 /// Branches that have led to a solution; that came near one and have none; that have been left to a pass that

@@ -60,6 +60,9 @@ inline constexpr double least_fold = digits(5e-13);
 inline constexpr double blurred = digits(1e16);
 /// Nearly free: a digit more, for what earlier steps have magnified.
 inline constexpr double nearly_free = digits(1e18);
+/// A wrist's row is marked, as a multiple of `widest_wrist_noise`: its outer joints may be half a milliradian
+/// from where the pose has them.
+inline constexpr double marked = digits(1e7);
 /// Chosen in place of a wrist's angle behind a double root, which carries half the digits.
 inline constexpr double choosable_behind_double_root = digits(1e14);
 /// Chosen in place of a wrist's angle elsewhere: Newton's steps have to make good what the choice turns away.
@@ -144,8 +147,8 @@ inline constexpr double same_rows = 180;
 inline constexpr double may_be_joined = 1e-2;
 /// A place between two joined ones is no farther from either than this share of their distance.
 inline constexpr double between = 0.6;
-/// Where between two solutions is asked if a continuum joins them, as a share of the way: the golden section.
-/// Three solutions that meet stand as far apart as each other, so the middle of two is the third.
+/// Place between two solutions at which it is asked if a continuum joins them, as a share of the way: the
+/// golden section. Of three solutions side by side the middle of two is the third.
 inline constexpr double way_between = 0.38196601125010515;
 /// How far along an idle joint a continuum is looked for: far beyond half the digits, rad or share of the
 /// size.
