@@ -10,6 +10,7 @@
 #include "cut_arms.h"
 #include "directed_arms.h"
 #include "five_arms.h"
+#include "inclined_arms.h"
 #include "other_zeros.h"
 #include "pitched_arms.h"
 #include "seven_arms.h"
@@ -109,32 +110,23 @@ class Writer {
   /// the others, before them, or between the first and the rest.
   std::string pitched() {
     const Axis common = axis();
-    Axis first = axis();
-    while (parallel(first, common)) first = axis();
-    std::vector<Axis> across;
-    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
-                 [&](const Axis& each) { return is_across(each, common); });
-    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
     constexpr std::array<int, 4> places{4, 4, 0, 1};
     const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
-    std::string joints;
-    int number = 0;
-    for (int i = 0; i <= 4; ++i) {
-      if (i == given) joints += arm_joint(number++);
-      if (i == 4) break;
-      const bool slides = i > 0 && i == slide;
-      const std::string origin = link();
-      joints += joint(number++, !slides,
-                      i == 0   ? first
-                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
-                               : common,
-                      origin, link());
-    }
+    const std::string joints = turned_plane(common, given, 4);
     Axis tool = axis();
     while (parallel(tool, common)) tool = axis();
     return description("random arm with a pitch", joints,
-                       "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" +
-                           (given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n"));
+                       "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" + given_key(given));
+  }
+
+  /// Such an arm with a roll behind it: five joints that a position and an inclination determine, or six of
+  /// which one is given: before the others or behind them, behind the first, or before the roll.
+  std::string inclined() {
+    const Axis common = axis();
+    constexpr std::array<int, 4> places{0, 1, 4, 5};
+    const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
+    return description("random arm with an inclination", turned_plane(common, given, 5),
+                       "task = \"position_and_inclination\"\n" + given_key(given));
   }
 
   /// Six joints with a wrist or three parallel axes; the generator chooses the one to give.
@@ -171,6 +163,38 @@ class Writer {
   }
 
  private:
+  /// A turn, then turns about `common` and at most one slide across it, the last of the three a turn; with
+  /// `count` 5 a roll. One joint more stands at `given`, if that is not negative.
+  std::string turned_plane(const Axis& common, int given, int count) {
+    Axis first = axis();
+    while (parallel(first, common)) first = axis();
+    Axis roll = common;
+    while (count > 4 && parallel(roll, common)) roll = axis();
+    std::vector<Axis> across;
+    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
+                 [&](const Axis& each) { return is_across(each, common); });
+    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
+    std::string joints;
+    int number = 0;
+    for (int i = 0; i <= count; ++i) {
+      if (i == given) joints += arm_joint(number++);
+      if (i == count) break;
+      const bool slides = i > 0 && i == slide;
+      const std::string origin = link();
+      joints += joint(number++, !slides,
+                      i == 0   ? first
+                      : i == 4 ? roll
+                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
+                               : common,
+                      origin, link());
+    }
+    return joints;
+  }
+
+  static std::string given_key(int given) {
+    return given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n";
+  }
+
   std::string description(const std::string& title, const std::string& joints,
                           const std::string& keys = "") const {
     std::string text = "name = \"" + name_ + "\"\ntitle = \"" + title + "\"\n" + keys;
@@ -361,6 +385,13 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
                ? "name = \"" + name + "\"\ntitle = \"with a pitch\"\ntask = \"position_and_pitch\"\n" +
                      pitched_arms[seed]
                : Writer(name, seed).pitched();
+  }
+  if (family == "inclined") {
+    const std::string name = arm_name(family, seed);
+    return seed < inclined_arms.size()
+               ? "name = \"" + name + "\"\ntitle = \"inclined\"\ntask = \"position_and_inclination\"\n" +
+                     inclined_arms[seed]
+               : Writer(name, seed).inclined();
   }
   if (family == "directed") {
     const std::string name = arm_name(family, seed);
