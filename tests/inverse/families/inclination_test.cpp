@@ -26,6 +26,22 @@ class Inclination : public WrittenArm {
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
       EXPECT_LT(test().distance(rows.rows[i].q, found.rows[i].q), 1e-9);
   }
+
+  /// Returns joints at which the axis of the roll is along the first axis, by the turn before the roll; none
+  /// if that does not bring it there.
+  std::optional<Eigen::VectorXd> with_roll_along_the_first_axis(double sense) {
+    std::vector<std::size_t> solved;
+    for (int i = 0; i < test().dof(); ++i)
+      if (i != GetParam().info.given_joint) solved.push_back(static_cast<std::size_t>(i));
+    Eigen::VectorXd q = test().joints();
+    const auto axis = [&](std::size_t k) -> Eigen::Vector3d {
+      return reference::joint_places(test().chain(), q)[solved[k]].axis;
+    };
+    const Eigen::Vector3d y = axis(3), from = axis(4).cross(y), to = sense * axis(0).cross(y);
+    q[static_cast<Eigen::Index>(solved[3])] += std::atan2(y.dot(from.cross(to)), from.dot(to));
+    if ((axis(4) - sense * axis(0)).norm() > 1e-9) return std::nullopt;
+    return q;
+  }
 };
 
 TEST_P(Inclination, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
@@ -39,6 +55,21 @@ TEST_P(Inclination, TheSearchFindsNothingElse) { expect_the_search_finds_nothing
 
 TEST_P(Inclination, IsTheFirstAxisAsTheToolSeesIt) {
   for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) expect_rows_of_pose(test().joints());
+}
+
+/// A gripper that points along the first axis and rolls about itself, up or down: the roll is free.
+TEST_P(Inclination, RollAlongTheFirstAxis) {
+  int poses = 0;
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) {
+    const std::optional<Eigen::VectorXd> q = with_roll_along_the_first_axis(i % 2 == 0 ? 1 : -1);
+    if (!q) continue;
+    ++poses;
+    const Sample sample = sample_at(test(), *q);
+    const Found found = test().robot().solve(sample.pose, test().given(*q), inverse::default_tolerance);
+    EXPECT_EQ(judge(test(), sample, found).fault, "") << q->transpose();
+    EXPECT_TRUE(found.status == Status::singular || found.status == Status::incomplete) << q->transpose();
+  }
+  if (poses == 0) GTEST_SKIP() << "the roll's axis is never along the first one";
 }
 
 /// The first joint turns to the position alone: with another heading of the pose the rows are the same.
