@@ -252,7 +252,8 @@ Derivation derive(const Robot& robot) {
     if (!asked || each.task == *asked || *asked == Task::pose) wanted.push_back(each);
     tasks += (tasks.empty() ? "" : ", ") + model::task_name(each.task);
   }
-  if (robot.joints.size() == 6) tasks += ", position_and_direction or position_and_inclination with a joint given";
+  if (robot.joints.size() == 6)
+    tasks += ", position_and_direction or position_and_inclination with a joint given";
   Derivation derivation = first_found(wanted, [](const Offer& each) { return each.way(); });
   if (!derivation.found && all.empty() && !has_one_too_many(robot))
     derivation.reasons.push_back(std::to_string(robot.joints.size()) +

@@ -127,20 +127,21 @@ json plan_values(const derive::inverse::Problem& problem, const derive::inverse:
   const derive::inverse::Plan& derived = plan.plan;
   const std::string farthest = reach_beside_given(problem);
   const bool adds_slide = problem.given_slides && !farthest.empty();
-  return {{"elimination", false},
-          {"given_slide", adds_slide ? json(emit::geometry_fields(problem.robot)
-                                                .at(derive::inverse::held_parameter(problem)))
-                                     : json(false)},
-          {"near_points", problem.task == model::Task::position ? 1 : 3},
-          {"quartic", derived.searches_nearby()},
-          {"stable_branches", derived.quartic() ? "false" : "true"},
-          {"counts_roots", derived.quartic()},
-          {"reach", farthest.empty() ? "1e50" : farthest},
-          {"has_reach", !farthest.empty()},
-          {"capacity", derived.capacity},
-          {"structure", derived.structure},
-          {"summary", emit::lines_of(summary(plan))},
-          {"certificate", verify::certify_inverse(problem, plan, certificate_poses).text()}};
+  return {
+      {"elimination", false},
+      {"given_slide",
+       adds_slide ? json(emit::geometry_fields(problem.robot).at(derive::inverse::held_parameter(problem)))
+                  : json(false)},
+      {"near_points", problem.task == model::Task::position ? 1 : 3},
+      {"quartic", derived.searches_nearby()},
+      {"stable_branches", derived.quartic() ? "false" : "true"},
+      {"counts_roots", derived.quartic()},
+      {"reach", farthest.empty() ? "1e50" : farthest},
+      {"has_reach", !farthest.empty()},
+      {"capacity", derived.capacity},
+      {"structure", derived.structure},
+      {"summary", emit::lines_of(summary(plan))},
+      {"certificate", verify::certify_inverse(problem, plan, certificate_poses).text()}};
 }
 
 /// `described` has the names of the description, the problem its own.

@@ -57,18 +57,24 @@ TEST_P(Inclination, IsTheFirstAxisAsTheToolSeesIt) {
   for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) expect_rows_of_pose(test().joints());
 }
 
-/// A gripper that points along the first axis and rolls about itself, up or down: the roll is free.
+/// A gripper that points along the first axis and rolls about itself, up or down: the roll is free. If the
+/// tool point is off the roll's axis, few rolls may reach it; then the status says that none was found.
 TEST_P(Inclination, RollAlongTheFirstAxis) {
-  int poses = 0;
+  int poses = 0, told = 0;
   for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) {
     const std::optional<Eigen::VectorXd> q = with_roll_along_the_first_axis(i % 2 == 0 ? 1 : -1);
     if (!q) continue;
     ++poses;
     const Sample sample = sample_at(test(), *q);
     const Found found = test().robot().solve(sample.pose, test().given(*q), inverse::default_tolerance);
-    EXPECT_EQ(judge(test(), sample, found).fault, "") << q->transpose();
+    const Verdict verdict = judge(test(), sample, found);
+    const bool is_told = found.status == Status::incomplete && (verdict.missing || verdict.told);
+    told += is_told ? 1 : 0;
+    EXPECT_TRUE(is_told || verdict.fault.empty()) << verdict.fault;
+    EXPECT_EQ(verdict.bad + verdict.repeated, 0) << verdict.fault;
     EXPECT_TRUE(found.status == Status::singular || found.status == Status::incomplete) << q->transpose();
   }
+  EXPECT_LE(told, 1 + poses / 20);
   if (poses == 0) GTEST_SKIP() << "the roll's axis is never along the first one";
 }
 
