@@ -341,11 +341,6 @@ std::string arm_name(const std::string& family, std::uint32_t seed) {
   return family + "_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
 }
 
-std::string pieper_description(std::uint32_t seed) { return Writer(arm_name("pieper", seed), seed).pieper(); }
-std::string parallel_description(std::uint32_t seed) {
-  return Writer(arm_name("parallel", seed), seed).parallel_axes();
-}
-
 namespace {
 
 constexpr std::array<const char*, 16> codes{"cc", "cn", "cr", "cs", "nc", "nn", "nr", "ns",
@@ -359,59 +354,51 @@ std::string fewer(const std::string& family, std::uint32_t seed) {
                    name);
   if (family == "five" && seed < five_arms.size())
     return "name = \"" + name + "\"\ntitle = \"five joints\"\n" + five_arms[seed];
-  const std::string whole = seed % 3 == 2 ? parallel_description(seed) : pieper_description(seed);
+  const std::string whole = arm_description(seed % 3 == 2 ? "parallel" : "pieper", seed);
   return cut_arm(whole, family == "five" ? 5 : 4, name);
+}
+
+/// An arm as it is built, behind the lines that all of its family have, or a random one.
+template <class Arms>
+std::string built_or_random(const std::string& name, std::uint32_t seed, const Arms& arms,
+                            const std::string& head, std::string (Writer::*random)()) {
+  if (seed < arms.size()) return "name = \"" + name + "\"\n" + head + arms[seed];
+  Writer writer(name, seed);
+  return (writer.*random)();
 }
 
 }  // namespace
 
 std::string arm_description(const std::string& family, std::uint32_t seed) {
+  const std::string name = arm_name(family, seed);
   if (family == "five" || family == "four" || family == "codes") return fewer(family, seed);
   if (family == "seven") {
-    const std::string name = arm_name(family, seed);
     return seed < seven_arms.size()
                ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed].text()
                : Writer(name, seed).seven();
   }
-  if (family == "unstructured") {
-    const std::string name = arm_name(family, seed);
-    return seed < unstructured_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"without structure\"\n" + unstructured_arms[seed]
-               : Writer(name, seed).unstructured();
-  }
-  if (family == "pitch") {
-    const std::string name = arm_name(family, seed);
-    return seed < pitched_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"with a pitch\"\ntask = \"position_and_pitch\"\n" +
-                     pitched_arms[seed]
-               : Writer(name, seed).pitched();
-  }
-  if (family == "inclined") {
-    const std::string name = arm_name(family, seed);
-    return seed < inclined_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"inclined\"\ntask = \"position_and_inclination\"\n" +
-                     inclined_arms[seed]
-               : Writer(name, seed).inclined();
-  }
+  if (family == "unstructured")
+    return built_or_random(name, seed, unstructured_arms, "title = \"without structure\"\n",
+                           &Writer::unstructured);
+  if (family == "pitch")
+    return built_or_random(name, seed, pitched_arms,
+                           "title = \"with a pitch\"\ntask = \"position_and_pitch\"\n", &Writer::pitched);
+  if (family == "inclined")
+    return built_or_random(name, seed, inclined_arms,
+                           "title = \"inclined\"\ntask = \"position_and_inclination\"\n", &Writer::inclined);
   if (family == "directed") {
-    const std::string name = arm_name(family, seed);
     const std::string keys = "task = \"position_and_direction\"\n";
     return seed < directed_arms.size() ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys +
                                              text_of(directed_arms[seed])
                                        : Writer(name, seed).directed(keys);
   }
-  if (family == "machines") {
-    const std::string name = arm_name(family, seed);
-    return seed < sliding_machines.size()
-               ? "name = \"" + name + "\"\ntitle = \"three slides\"\n" + sliding_machines[seed]
-               : Writer(name, seed).three_slides();
-  }
-  if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
-  if (family == "turned") return turned_arm(arm_name(family, seed), seed);
-  if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
-  if (family == "zeros")
-    return "name = \"" + arm_name(family, seed) + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);
-  return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
+  if (family == "machines")
+    return built_or_random(name, seed, sliding_machines, "title = \"three slides\"\n", &Writer::three_slides);
+  if (family == "slides") return sliding_arm(name, seed);
+  if (family == "turned") return turned_arm(name, seed);
+  if (family == "twists") return twisted_arm(name, seed);
+  if (family == "zeros") return "name = \"" + name + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);
+  return family == "pieper" ? Writer(name, seed).pieper() : Writer(name, seed).parallel_axes();
 }
 
 }  // namespace qvgen::test
