@@ -137,11 +137,12 @@ TEST_F(Ability, OfAPositionAndAPitch) {
 
 TEST_F(Ability, OfAPositionAndAnInclination) {
   const std::string task = "task = \"position_and_inclination\"\n";
-  EXPECT_EQ(of(arm(five_servos, task)),
-            "5 joints, asked for a position of the tool point and the direction of the first axis as the tool "
-            "sees it: joints 2, 3 and 4 move in one plane: the inclination tells q5 and where the axis of q4 "
-            "is, the others place it. At most 8 solutions. A pose may be given too; its heading, the turn "
-            "about the first axis, is not used.");
+  EXPECT_EQ(
+      of(arm(five_servos, task)),
+      "5 joints, asked for a position of the tool point and the direction of the first axis as the tool "
+      "sees it: joints 2, 3 and 4 move in one plane: the inclination tells q5 and where the axis of q4 "
+      "is, the others place it. At most 8 solutions. A pose may be given too; its heading, the turn "
+      "about the first axis, is not used.");
   EXPECT_THAT(of(arm(std::string(five_servos) + "; Ry 0.1 0 0", task)),
               testing::HasSubstr("as the tool sees it with q6 given by the caller: "));
 }
