@@ -113,7 +113,7 @@ std::string target_array(const About& about, Task task, std::size_t numbers) {
 void add_targets(const About& about, Zip& zip) {
   const std::string name = target_name(about) + ".npy";
   if (about.task == "pose") zip.add(name, target_array(about, Task::pose, 4));
-  if (about.task == "position_and_direction")
+  if (about.task == "position_and_direction" || about.task == "position_and_inclination")
     zip.add(name, target_array(about, Task::position_and_direction, 3));
   if (about.task == "position_and_yaw" || about.task == "position_and_pitch")
     zip.add(name, target_array(about, Task::position_and_yaw, 1));

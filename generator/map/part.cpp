@@ -122,7 +122,7 @@ About about_from_json(const ordered_json& json) {
 }
 
 std::string target_name(const About& about) {
-  if (about.task == "position_and_direction") return "directions";
+  if (about.task == "position_and_direction" || about.task == "position_and_inclination") return "directions";
   if (about.task == "position_and_yaw" || about.task == "position_and_pitch") return "angles";
   return "orientations";
 }

@@ -107,13 +107,14 @@ struct Parameter {
 
 /// Target of an inverse kinematics. The reduced ones are for arms that cannot follow a whole pose.
 enum class Task {
-  pose,                    ///< position and orientation
-  position,                ///< of the tool point; the orientation follows
-  position_and_direction,  ///< the tool point, and where one axis of the tool points
-  position_and_yaw,        ///< the tool point, and the turn about the direction that all axes have
-  position_and_pitch,      ///< the tool point, and the angle of one axis of the tool to joint 1's axis
-  direction,               ///< where one axis of the tool points; the position follows
-  orientation              ///< the position follows
+  pose,                     ///< position and orientation
+  position,                 ///< of the tool point; the orientation follows
+  position_and_direction,   ///< the tool point, and where one axis of the tool points
+  position_and_yaw,         ///< the tool point, and the turn about the direction that all axes have
+  position_and_pitch,       ///< the tool point, and the angle of one axis of the tool to joint 1's axis
+  direction,                ///< where one axis of the tool points; the position follows
+  orientation,              ///< the position follows
+  position_and_inclination  ///< the tool point, and the direction of joint 1's axis as the tool sees it
 };
 
 /// Demands of a description on its inverse kinematics; what it leaves open is derived from the arm.

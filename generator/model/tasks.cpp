@@ -11,6 +11,7 @@ const std::vector<NamedTask>& named_tasks() {
                                           {Task::position_and_direction, "position_and_direction"},
                                           {Task::position_and_yaw, "position_and_yaw"},
                                           {Task::position_and_pitch, "position_and_pitch"},
+                                          {Task::position_and_inclination, "position_and_inclination"},
                                           {Task::direction, "direction"},
                                           {Task::orientation, "orientation"}};
   return all;
@@ -20,6 +21,10 @@ std::string task_name(Task task) {
   for (const NamedTask& each : named_tasks())
     if (each.task == task) return each.name;
   return {};
+}
+
+bool leaves_heading(Task task) {
+  return task == Task::position_and_pitch || task == Task::position_and_inclination;
 }
 
 std::string axis_text(const Vector3& axis) {

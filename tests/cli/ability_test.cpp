@@ -135,6 +135,18 @@ TEST_F(Ability, OfAPositionAndAPitch) {
             "5 joints," + asked + "x with q5 given by the caller: " + by_plane);
 }
 
+TEST_F(Ability, OfAPositionAndAnInclination) {
+  const std::string task = "task = \"position_and_inclination\"\n";
+  EXPECT_EQ(
+      of(arm(five_servos, task)),
+      "5 joints, asked for a position of the tool point and the direction of the first axis as the tool "
+      "sees it: joints 2, 3 and 4 move in one plane: the inclination tells q5 and where the axis of q4 "
+      "is, the others place it. At most 8 solutions. A pose may be given too; its heading, the turn "
+      "about the first axis, is not used.");
+  EXPECT_THAT(of(arm(std::string(five_servos) + "; Ry 0.1 0 0", task)),
+              testing::HasSubstr("as the tool sees it with q6 given by the caller: "));
+}
+
 constexpr const char* six_joints = "Rz 0 0 0.5; Ry 0.4 0 0; Ry 0.4 0 0; Rx 0.1 0 0; Ry 0 0 0; Rx 0.1 0 0";
 
 TEST_F(Ability, OfAPositionAndADirectionWithAJointGiven) {
@@ -168,12 +180,14 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
           "the task position is none for this arm: it may be asked for position_and_direction");
   refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
   refused(arm(six_joints, "task = \"position\"\n"),
-          "it may be asked for pose, position_and_direction with a joint given");
+          "it may be asked for pose, position_and_direction or position_and_inclination with a joint given");
   refused(arm(six_joints, "given = \"q5\"\n"),
           "six that are asked for a position and a direction (task = \"position_and_direction\")");
   refused(arm(five_servos, "tool_axis = \"+x\"\n"),
           "it may be asked for task = \"position_and_pitch\", with joint 5 given");
   refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");
+  refused(arm(five_joints, "task = \"position_and_inclination\"\n"),
+          "joints 2, 3 and 4 do not move in one plane");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q4, q5\"\n"),
           "of the 2 given joints all but one have to be the first or the last of the arm");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");

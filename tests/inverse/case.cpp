@@ -61,7 +61,7 @@ Case::Miss Case::miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target)
   const double gap = (reached.linear() - target.linear()).norm();
   if (asks_orientation()) result.orientation = 2 * std::asin(std::min(1.0, gap / std::sqrt(8.0)));
   if (asks_direction()) result.orientation = ((reached.linear() - target.linear()) * tool_axis()).norm();
-  if (asks_pitch()) result.orientation = (base_seen(q, reached) - base_seen(q, target)).norm();
+  if (leaves_heading()) result.orientation = (base_seen(q, reached) - base_seen(q, target)).norm();
   return result;
 }
 
@@ -76,6 +76,7 @@ Eigen::VectorXd Case::residual(const Eigen::VectorXd& q, const Eigen::Isometry3d
     result.tail<3>() =
         Eigen::Vector3d(angle_about(across, base_seen(q, target), base_seen(q, reached)), 0, 0);
   }
+  if (asks_inclination()) result.tail<3>() = base_seen(q, target) - base_seen(q, reached);
   if (!asks_orientation()) return result;
   const Eigen::AngleAxisd turn(target.linear() * reached.linear().transpose());
   result.tail<3>() = turn.angle() * turn.axis();
@@ -113,6 +114,8 @@ Eigen::MatrixXd Case::jacobian(const Eigen::VectorXd& q) const {
       const double rate = i == base_joint() ? 0 : full.col(i).tail<3>().dot(axis(pitch_joint(), q));
       column.tail<3>() = Eigen::Vector3d(rate, 0, 0);
     }
+    // A turn about the base's axis does not change how the tool sees that axis.
+    if (asks_inclination()) column.tail<3>() = to_tool * axis(base_joint(), q).cross(full.col(i).tail<3>());
     result.conservativeResize(Eigen::NoChange, result.cols() + 1);
     result.col(result.cols() - 1) = column;
   }

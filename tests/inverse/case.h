@@ -27,6 +27,13 @@ class Case {
     return chain_.joints[static_cast<std::size_t>(joint)].revolute;
   }
 
+  /// True if a joint slides whose value is not given: then every place may be in reach.
+  [[nodiscard]] bool slides_besides_given() const {
+    for (int i = 0; i < robot_.dof; ++i)
+      if (!revolute(i) && i != robot_.info.given_joint) return true;
+    return false;
+  }
+
   void seed(unsigned number) { random_.seed(number); }
 
   /// Counts how often a pose of a set was searched for, and how often one was found.
@@ -80,20 +87,23 @@ class Case {
   /// q moved by a step of the joints that are solved for.
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
 
- private:
-  [[nodiscard]] bool asks_orientation() const;
-  [[nodiscard]] bool asks_direction() const;
-  [[nodiscard]] bool asks_pitch() const { return robot_.info.task == Task::position_and_pitch; }
-  [[nodiscard]] Eigen::Vector3d tool_axis() const;
-  /// Direction of a joint's axis in the base frame.
-  [[nodiscard]] Eigen::Vector3d axis(int joint, const Eigen::VectorXd& q) const;
   /// The first joint's axis as a tool there sees it.
   [[nodiscard]] Eigen::Vector3d base_seen(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) const {
     return tool.linear().transpose() * axis(base_joint(), q);
   }
+
+ private:
+  [[nodiscard]] bool asks_orientation() const;
+  [[nodiscard]] bool asks_direction() const;
+  [[nodiscard]] bool asks_pitch() const { return robot_.info.task == Task::position_and_pitch; }
+  [[nodiscard]] bool leaves_heading() const { return asks_pitch() || asks_inclination(); }
+  [[nodiscard]] bool asks_inclination() const { return robot_.info.task == Task::position_and_inclination; }
+  [[nodiscard]] Eigen::Vector3d tool_axis() const;
+  /// Direction of a joint's axis in the base frame.
+  [[nodiscard]] Eigen::Vector3d axis(int joint, const Eigen::VectorXd& q) const;
   /// Number of the residual's parts, three rows each.
   [[nodiscard]] int parts() const {
-    return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() || asks_pitch() ? 1 : 0);
+    return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() || leaves_heading() ? 1 : 0);
   }
 
   InverseUnderTest robot_;

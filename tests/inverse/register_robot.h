@@ -54,7 +54,8 @@ bool register_inverse() {
     return solve(given, pose, typename Arm::Joints(seed), geometry_of<Arm>(values));
   };
   constexpr bool takes_poses = Arm::info.task == Task::pose || Arm::info.task == Task::position ||
-                               Arm::info.task == Task::position_and_pitch;
+                               Arm::info.task == Task::position_and_pitch ||
+                               Arm::info.task == Task::position_and_inclination;
   if constexpr (takes_poses) {
     functions.solve_matrix = [=](const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position,
                                  double given) { return of_matrix(given, rotation, position); };

@@ -54,6 +54,9 @@ struct InverseFunctions {
       solve_near = {};
   /// Rows by the pitch itself, of arms that are asked for one: their main entry takes it from a pose.
   std::function<Found(const Eigen::Vector3d& position, double pitch, double given)> solve_pitch = {};
+  /// Rows by the direction of the first axis that the tool sees, of arms that are asked for an inclination.
+  std::function<Found(const Eigen::Vector3d& position, const Eigen::Vector3d& up, double given)>
+      solve_inclination = {};
   /// Whole poses of arms that are asked for less, with and without a seed.
   std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
   std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};

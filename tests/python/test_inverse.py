@@ -228,6 +228,23 @@ def test_position_and_pitch(desk_arm, rows):
     np.testing.assert_allclose(approach, np.tile([0, 0, -1], (4, 1)), atol=1e-12)
 
 
+def test_position_and_inclination(tmp_path, rows):
+    keys = ("position_and_pitch", "position_and_inclination"), ('given = "roll"', ""), ('name = "desk_arm"', 'name = "level_arm"')
+    text = pathlib.Path(__file__).with_name("desk_arm.toml").read_text()
+    for old, new in keys:
+        text = text.replace(old, new)
+    file = tmp_path / "level_arm.toml"
+    file.write_text(text)
+    arm = qvgen.load(file, "--only", "kinematics,inverse")
+    q = rows(arm)
+    up = arm.homogeneous_transform(q)[:, 2, :3]
+    poses = arm.forward_kinematics(q)
+    for target in (np.column_stack([poses[:, 4:], up]), poses):
+        found = arm.inverse_kinematics(target, q)
+        assert solved(found)
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+
+
 def test_position_and_direction_with_a_given_joint(tmp_path, rows):
     file = tmp_path / "torch_arm.toml"
     text = (pathlib.Path(__file__).parents[2] / "generator/robots/puma560.toml").read_text()

@@ -47,6 +47,8 @@ std::string by_orientation(Attempt& attempt);
 std::string by_position(Attempt& attempt);
 /// Four joints and a pitch: the first turns the others, which move in one plane, the last of them a turn.
 std::string by_pitch(Attempt& attempt);
+/// Five joints and an inclination: as by_pitch, and a last joint that rolls the tool.
+std::string by_inclination(Attempt& attempt);
 /// Parallel revolute joints in a plane: two of them with a position, three with an orientation too.
 std::string in_plane(Attempt& attempt);
 /// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/freedom.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace qvgen::derive::inverse {
@@ -30,6 +31,13 @@ class Placed {
 
   /// Velocity of the tool point, then the angular velocity.
   [[nodiscard]] Column column(std::size_t joint) const { return column(joint, tool_); }
+  /// Velocity of the tool point, then the part of the angular velocity across a direction of the base.
+  [[nodiscard]] Column column_across(std::size_t joint, const Vector& up) const {
+    Column all = column(joint);
+    const Column across = numbers(Vector{0, 0, 0}, cross(at_sample(up), Vector{all[3], all[4], all[5]}));
+    std::copy(across.begin() + 3, across.end(), all.begin() + 3);
+    return all;
+  }
   /// Returns the column of a tool point on a joint's axis.
   [[nodiscard]] Column column_about(std::size_t joint, std::size_t axis) const {
     return column(joint, carried(screws_[axis].point, axis));
@@ -114,6 +122,19 @@ std::string dependent_joints_of_pitch(const Attempt& attempt) {
     if (independent(std::move(columns), 4)) return "";
   }
   return "at every pose some joints can move without moving the tool point or changing the pitch";
+}
+
+std::string dependent_joints_of_inclination(const Attempt& attempt) {
+  const auto& screws = attempt.chain.screws;
+  const Vector up = screws[0].axis;
+  for (const long place : {1, 2, 3}) {
+    const Placed placed(attempt, place);
+    std::vector<Column> columns;
+    for (std::size_t joint = 0; joint < screws.size(); ++joint)
+      columns.push_back(placed.column_across(joint, up));
+    if (independent(std::move(columns), 6)) return "";
+  }
+  return "at every pose some joints can move without moving the tool point or inclining the tool";
 }
 
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k) {

@@ -18,6 +18,10 @@ std::string dependent_joints(const Attempt& attempt, const std::vector<std::size
 /// their turns: empty if they move the tool point and the pitch in every way at an ordinary place.
 std::string dependent_joints_of_pitch(const Attempt& attempt);
 
+/// Names the dependent joints of an arm that is asked for an inclination, which the first joint does not
+/// change: empty if the others move the tool point and incline the tool in every way at an ordinary place.
+std::string dependent_joints_of_inclination(const Attempt& attempt);
+
 /// Names the dependent joints of an arm whose joint k of four has a point on its axis that the three others
 /// place.
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k);

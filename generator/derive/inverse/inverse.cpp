@@ -106,6 +106,8 @@ Derivation derive_orientation(const Problem& problem) { return first_of(problem,
 
 Derivation derive_pitch(const Problem& problem) { return first_of(problem, {by_pitch}); }
 
+Derivation derive_inclination(const Problem& problem) { return first_of(problem, {by_inclination}); }
+
 Derivation in_canonical_frames(const Problem& problem,
                                const std::function<Derivation(const Problem&)>& derived) {
   Derivation derivation = derived(of_canonical_arm(problem, canonical::for_kinematics(problem.robot)));

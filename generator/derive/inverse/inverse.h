@@ -32,6 +32,8 @@ Derivation derive_position(const Problem& problem);
 Derivation derive_orientation(const Problem& problem);
 /// Derives the tool point and the angle that the tool makes with the axis of the first joint.
 Derivation derive_pitch(const Problem& problem);
+/// Derives the tool point and the direction of the first joint's axis as the tool sees it.
+Derivation derive_inclination(const Problem& problem);
 
 /// Derives from the problem's arm in canonical frames: if its joints' zeros hide that a wrist has right
 /// angles, frames along the common normals show it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/freedom.h"
-#include "derive/inverse/position.h"
+#include "derive/inverse/in_plane.h"
 #include "symbolic/model.h"
 
 /// A position and a pitch, by four joints e0 e1 e2 e3. The first turns the whole arm, the others move it in
@@ -15,29 +15,10 @@
 namespace qvgen::derive::inverse {
 
 using GiNaC::ex;
-using symbolic::cross;
 using symbolic::dot;
 using symbolic::Vector;
 
 namespace {
-
-/// Why the joints do not have the structure.
-std::string missing_structure(const Attempt& attempt) {
-  const auto& screws = attempt.chain.screws;
-  const Scope& scope = attempt.scope;
-  const Screw& last = screws.back();
-  if (!screws.front().revolute || !last.revolute)
-    return "of the four joints that are solved for, the first and the last have to turn";
-  for (std::size_t i = 1; i < 3; ++i) {
-    const Screw& screw = screws[i];
-    const bool is_in_plane = screw.revolute ? scope.is_zero(cross(screw.axis, last.axis))
-                                            : scope.is_zero(dot(screw.axis, last.axis));
-    if (!is_in_plane) return "joints " + attempt.joints(1, 3) + " do not move in one plane";
-  }
-  if (scope.is_zero(cross(screws.front().axis, last.axis)))
-    return "all axes are parallel: a position and a yaw may be asked for";
-  return dependent_joints_of_pitch(attempt);
-}
 
 /// Cosine and sine of the turn about y that the pose has, of the unit circle if it is one of the arm's.
 Flat pitch_of(Attempt& attempt, Target& target, const Screw& base, const Screw& last) {
@@ -51,16 +32,11 @@ Flat pitch_of(Attempt& attempt, Target& target, const Screw& base, const Screw& 
           scope.define(attempt.plan.target, "pitch_sine", scope.clean(turn.y) / square)};
 }
 
-Screw moved(const Screw& screw, const Vector& by) {
-  Screw result = screw;
-  result.point = screw.point + by;
-  return result;
-}
-
 }  // namespace
 
 std::string by_pitch(Attempt& attempt) {
-  if (std::string missing = missing_structure(attempt); !missing.empty()) return missing;
+  if (std::string missing = missing_plane(attempt); !missing.empty()) return missing;
+  if (std::string dependent = dependent_joints_of_pitch(attempt); !dependent.empty()) return dependent;
   Scope& scope = attempt.scope;
   const auto& screws = attempt.chain.screws;
   const Screw& last = screws[3];
@@ -71,18 +47,8 @@ std::string by_pitch(Attempt& attempt) {
   const Vector beyond =
       scope.define(attempt.plan.target, "beyond",
                    dot(last.axis, reach) * last.axis + turned.x * last.first + turned.y * last.second);
-  const std::string reason = solve_position(attempt.builder, screws[0], moved(screws[1], beyond),
-                                            moved(screws[2], beyond), last.point + beyond, target.pose().p);
-  if (!reason.empty())
-    return "three joints place a point on the axis of " + last.variable + ", but: " + reason;
-  Flat rest = pitch;
-  for (const Screw& screw : {screws[1], screws[2]}) {
-    if (!screw.revolute) continue;
-    const Scope::Turn at = attempt.builder.value(screw);
-    const int sense = scope.sample(dot(screw.axis, last.axis)) > 0 ? 1 : -1;
-    rest = rest * Flat{at.cosine, -sense * at.sine};
-  }
-  attempt.builder.turn_by_pair(last, rest, "what the other joints leave of the pitch");
+  if (std::string reason = place_in_plane(attempt, pitch, beyond, target.pose().p); !reason.empty())
+    return reason;
   attempt.plan.structure = "joints " + attempt.joints(1, 3) +
                            " move in one plane: the pitch tells where the axis of " + last.variable +
                            " is, the others place it";

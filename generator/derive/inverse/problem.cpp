@@ -5,6 +5,7 @@
 
 #include "exact/constant_angle.h"
 #include "model/arithmetic.h"
+#include "model/tasks.h"
 
 namespace qvgen::derive::inverse {
 
@@ -89,9 +90,8 @@ Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
     return exact::radians(phase).has_value();
   });
   // A position has no orientation, which alone would say where the tool point is in front of an oblique
-  // frame; nor has a pitch that of the first joint's turn.
-  const bool takes_tool_off =
-      problem.task != model::Task::position && problem.task != model::Task::position_and_pitch;
+  // frame; nor has a pitch or an inclination that of the first joint's turn.
+  const bool takes_tool_off = problem.task != model::Task::position && !model::leaves_heading(problem.task);
   if (numbers && (is_oblique(robot.base) || (takes_tool_off && is_oblique(robot.tool)))) {
     result.has_frames = true;
     std::swap(result.base, robot.base);

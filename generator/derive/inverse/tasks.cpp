@@ -119,6 +119,13 @@ Derivation pitched(const Robot& robot, std::optional<std::size_t> joint) {
   });
 }
 
+/// Derives the inclination of the tool. `joint`: the one whose value is given, if there is one.
+Derivation inclined(const Robot& robot, std::optional<std::size_t> joint) {
+  return in_canonical_frames(problem_of(robot, Task::position_and_inclination), [&](const Problem& arm) {
+    return derive_inclination(joint ? with_held(arm, *joint) : arm);
+  });
+}
+
 /// Ways to derive what an arm may be asked for, the most it can follow first.
 using Way = std::function<Derivation()>;
 struct Offer {
@@ -143,6 +150,8 @@ std::vector<Offer> offers(const Robot& robot) {
   if (count == 6) whole(Task::pose, derive_pose);
   if (count == 5) directed(Task::position_and_direction, derive_pose);
   if (count == 5 && kinds.level) offer(Task::position_and_yaw, [&robot] { return kept_level(robot); });
+  if (count == 5 && robot.inverse.task == Task::position_and_inclination)
+    offer(Task::position_and_inclination, [&robot] { return inclined(robot, std::nullopt); });
   if (count == 4 && kinds.parallel) whole(Task::position_and_yaw, derive_pose);
   if (count == 4) checked(Task::pose, Filter::pose, 4, derive_pose);
   if (count == 4 && !kinds.parallel && kinds.turns > 1)
@@ -174,11 +183,21 @@ bool has_one_too_many_for_a_direction(const Robot& robot) {
   return robot.joints.size() == 6 && robot.inverse.task == Task::position_and_direction;
 }
 
+bool has_one_too_many_for_an_inclination(const Robot& robot) {
+  return robot.joints.size() == 6 && robot.inverse.task == Task::position_and_inclination;
+}
+
+/// True if a joint has to be given.
+bool has_one_too_many_for_its_task(const Robot& robot) {
+  return has_one_too_many_for_a_pitch(robot) || has_one_too_many_for_a_direction(robot) ||
+         has_one_too_many_for_an_inclination(robot);
+}
+
 /// True if a joint's value may be given.
 bool has_one_too_many(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot) ||
-         has_one_too_many_for_a_pitch(robot) || has_one_too_many_for_a_direction(robot);
+         has_one_too_many_for_its_task(robot);
 }
 
 /// Says why no joint of so many may be given.
@@ -190,11 +209,12 @@ std::string joints_over(std::size_t count) {
 
 namespace {
 
-/// The joints that may be given where a pitch is asked for, the roll of the tool first: it changes no pitch
-/// of its own axis.
-Derivation derive_pitch_with_given(const Robot& robot) {
+/// The first of the joints that may be given, the roll of the tool first: it changes no pitch of its own
+/// axis.
+Derivation derive_with_given(const Robot& robot,
+                             Derivation derived(const Robot& robot, std::optional<std::size_t> joint)) {
   return first_found(given_from_the_tool(robot), [&](std::size_t joint) {
-    Derivation derivation = pitched(robot, joint);
+    Derivation derivation = derived(robot, joint);
     for (std::string& reason : derivation.reasons)
       reason = "with " + robot.joints[joint].variable + " given: " + reason;
     return derivation;
@@ -204,7 +224,7 @@ Derivation derive_pitch_with_given(const Robot& robot) {
 /// Returns what an arm of five joints may be asked for that nothing else is derived for.
 std::vector<std::string> other_task(const Robot& robot) {
   if (robot.joints.size() != 5) return {};
-  const Derivation derivation = derive_pitch_with_given(robot);
+  const Derivation derivation = derive_with_given(robot, pitched);
   if (!derivation.found) return {};
   return {"it may be asked for task = \"position_and_pitch\", with joint " +
           std::to_string(derivation.problem.given + 1) + " given"};
@@ -213,7 +233,7 @@ std::vector<std::string> other_task(const Robot& robot) {
 }  // namespace
 
 Derivation derive(const Robot& robot) {
-  if (has_one_too_many_for_a_pitch(robot) || has_one_too_many_for_a_direction(robot)) return {};
+  if (has_one_too_many_for_its_task(robot)) return {};
   const std::vector<Offer> all = offers(robot);
   if (!robot.inverse.given.empty() && !has_one_too_many(robot))
     return {
@@ -221,7 +241,8 @@ Derivation derive(const Robot& robot) {
         {},
         {},
         {"a joint's value may be given for seven joints, six that are asked for a position and a direction "
-         "(task = \"position_and_direction\"), five that are asked for a position and a pitch, four that are "
+         "(task = \"position_and_direction\") or an inclination, five that are asked for a position and a "
+         "pitch, four that are "
          "asked for a position, or three that turn in a plane; " +
          joints_over(robot.joints.size())}};
   const auto asked = robot.inverse.task;
@@ -231,7 +252,8 @@ Derivation derive(const Robot& robot) {
     if (!asked || each.task == *asked || *asked == Task::pose) wanted.push_back(each);
     tasks += (tasks.empty() ? "" : ", ") + model::task_name(each.task);
   }
-  if (robot.joints.size() == 6) tasks += ", position_and_direction with a joint given";
+  if (robot.joints.size() == 6)
+    tasks += ", position_and_direction or position_and_inclination with a joint given";
   Derivation derivation = first_found(wanted, [](const Offer& each) { return each.way(); });
   if (!derivation.found && all.empty() && !has_one_too_many(robot))
     derivation.reasons.push_back(std::to_string(robot.joints.size()) +
@@ -280,7 +302,8 @@ Derivation derive_best_of(const Robot& robot, const std::vector<std::size_t>& jo
 /// The best of the joints that may be given.
 Derivation derive_best_given(const Robot& robot) {
   const std::size_t count = robot.joints.size();
-  if (has_one_too_many_for_a_pitch(robot)) return derive_pitch_with_given(robot);
+  if (has_one_too_many_for_a_pitch(robot)) return derive_with_given(robot, pitched);
+  if (has_one_too_many_for_an_inclination(robot)) return derive_with_given(robot, inclined);
   if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
     return first_found(given_joints(robot), [&](std::size_t joint) {
       return with_given(robot, Task::position, joint, derive_position);

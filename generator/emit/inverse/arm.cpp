@@ -9,6 +9,7 @@
 #include "emit/template_values.h"
 #include "model/evaluate.h"
 #include "model/private_names.h"
+#include "model/tasks.h"
 
 namespace qvgen::emit {
 
@@ -25,8 +26,8 @@ std::string numbers_of(const model::Vector3& axis) {
 }
 
 Filter filter_of_poses(const Problem& problem) {
-  const bool takes_poses = problem.task == Task::pose || problem.task == Task::position ||
-                           problem.task == Task::position_and_pitch;
+  const bool takes_poses =
+      problem.task == Task::pose || problem.task == Task::position || model::leaves_heading(problem.task);
   return takes_poses ? problem.filter : Filter::pose;
 }
 

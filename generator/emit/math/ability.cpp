@@ -31,6 +31,8 @@ std::string asked(const Problem& problem) {
     case Task::position_and_pitch:
       return "a position of the tool point and the pitch of the tool's axis " +
              model::axis_text(problem.tool_axis);
+    case Task::position_and_inclination:
+      return "a position of the tool point and the direction of the first axis as the tool sees it";
     case Task::direction:
       return "the direction of the tool's axis " + model::axis_text(problem.tool_axis);
     case Task::orientation:
@@ -64,6 +66,8 @@ std::string ability(const model::Robot& described, const Problem& problem, const
     text +=
         " A pose may be given too, for its position and pitch; one that is tilted to the side is "
         "unreachable.";
+  else if (problem.task == Task::position_and_inclination)
+    text += " A pose may be given too; its heading, the turn about the first axis, is not used.";
   else if (problem.task != Task::pose && problem.task != Task::position)
     text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
   return text + virtual_joints(problem);

@@ -51,10 +51,10 @@ std::vector<std::string> summary(const derive::inverse::LoweredPlan& plan) {
 
 /// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
 /// one. Arms whose rows have to be checked have none: a row that reaches one pose need not lead on to the
-/// next. Neither has a pitch: Newton's steps of the whole arm would need its heading.
+/// next. Neither have tasks that leave the heading: Newton's steps of the whole arm would need its heading.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::ast::Printer& language) {
-  const bool has_poses = problem.task != model::Task::position_and_pitch;
+  const bool has_poses = !model::leaves_heading(problem.task);
   if (!has_poses || problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan))
     return false;
   const auto lines = [&](emit::Pass pass) {
@@ -125,18 +125,23 @@ json step_values(const model::Robot& robot, const derive::inverse::LoweredPlan& 
 /// The kind of plan, and what comments say of it. The plan is certified, or an exception thrown.
 json plan_values(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan) {
   const derive::inverse::Plan& derived = plan.plan;
-  const std::string farthest = reach(problem);
-  return {{"elimination", false},
-          {"near_points", problem.task == model::Task::position ? 1 : 3},
-          {"quartic", derived.searches_nearby()},
-          {"stable_branches", derived.quartic() ? "false" : "true"},
-          {"counts_roots", derived.quartic()},
-          {"reach", farthest.empty() ? "1e50" : farthest},
-          {"has_reach", !farthest.empty()},
-          {"capacity", derived.capacity},
-          {"structure", derived.structure},
-          {"summary", emit::lines_of(summary(plan))},
-          {"certificate", verify::certify_inverse(problem, plan, certificate_poses).text()}};
+  const std::string farthest = reach_beside_given(problem);
+  const bool adds_slide = problem.given_slides && !farthest.empty();
+  return {
+      {"elimination", false},
+      {"given_slide",
+       adds_slide ? json(emit::geometry_fields(problem.robot).at(derive::inverse::held_parameter(problem)))
+                  : json(false)},
+      {"near_points", problem.task == model::Task::position ? 1 : 3},
+      {"quartic", derived.searches_nearby()},
+      {"stable_branches", derived.quartic() ? "false" : "true"},
+      {"counts_roots", derived.quartic()},
+      {"reach", farthest.empty() ? "1e50" : farthest},
+      {"has_reach", !farthest.empty()},
+      {"capacity", derived.capacity},
+      {"structure", derived.structure},
+      {"summary", emit::lines_of(summary(plan))},
+      {"certificate", verify::certify_inverse(problem, plan, certificate_poses).text()}};
 }
 
 /// `described` has the names of the description, the problem its own.

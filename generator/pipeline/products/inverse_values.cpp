@@ -30,15 +30,9 @@ double length(const model::Vector3& v) {
   return std::sqrt(square);
 }
 
-}  // namespace
-
-json fields_of(const std::vector<std::string>& names) {
-  json list = json::array();
-  for (const std::string& name : names) list.push_back({{"field", name}});
-  return list;
-}
-
-std::string reach(const derive::inverse::Problem& problem) {
+/// Returns a bound of the tool's distance from the base, a joint that slides left at zero; empty if there is
+/// none in numbers, or if another joint slides.
+std::string reach_beside(const derive::inverse::Problem& problem, int slide) {
   // A turn of the tool is asked for at no position, which a base that is taken off would move.
   const bool turns_alone = problem.task == model::Task::direction || problem.task == model::Task::orientation;
   if (turns_alone && problem.has_frames) return "";
@@ -47,7 +41,8 @@ std::string reach(const derive::inverse::Problem& problem) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const model::Joint& joint = robot.joints[i];
     const bool is_own = i < static_cast<std::size_t>(problem.own_joints);
-    if (is_own && joint.type == model::JointType::prismatic) return "";
+    const bool is_left = static_cast<int>(i) == slide;
+    if (is_own && !is_left && joint.type == model::JointType::prismatic) return "";
     offsets.insert(offsets.end(), {&joint.before.translation, &joint.after.translation});
   }
   double sum = 0;
@@ -56,6 +51,20 @@ std::string reach(const derive::inverse::Problem& problem) {
     sum += length(*offset);
   }
   return fmt::format("{:.6f}", sum);
+}
+
+}  // namespace
+
+json fields_of(const std::vector<std::string>& names) {
+  json list = json::array();
+  for (const std::string& name : names) list.push_back({{"field", name}});
+  return list;
+}
+
+std::string reach(const derive::inverse::Problem& problem) { return reach_beside(problem, -1); }
+
+std::string reach_beside_given(const derive::inverse::Problem& problem) {
+  return reach_beside(problem, problem.given);
 }
 
 json geometry_values(const derive::inverse::Problem& problem, const std::string& given,

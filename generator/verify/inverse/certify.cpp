@@ -5,6 +5,7 @@
 #include "derive/inverse/names.h"
 #include "exact/named_constant.h"
 #include "model/evaluate.h"
+#include "model/tasks.h"
 #include "verify/certificate.h"
 #include "verify/inverse/described_arm.h"
 #include "verify/inverse/execute.h"
@@ -45,9 +46,9 @@ std::array<Real, 3> base_seen_by_tool(const Problem& problem, const DescribedArm
   return {turn[1], turn[2], turn[3]};
 }
 
-/// How far rows with those joints are from another's position and pitch.
-double difference_of_pitch(const Problem& problem, const DescribedArm& arm, const std::vector<Real>& a,
-                           const std::vector<Real>& b) {
+/// How far rows with those joints are from another's position and inclination.
+double difference_but_heading(const Problem& problem, const DescribedArm& arm, const std::vector<Real>& a,
+                              const std::vector<Real>& b) {
   const Pair at = arm.pose(a), other = arm.pose(b);
   const std::array<Real, 3> seen = base_seen_by_tool(problem, arm, a),
                             by_other = base_seen_by_tool(problem, arm, b);
@@ -136,9 +137,8 @@ InverseCertificate certify_inverse(const Problem& problem, const LoweredPlan& pl
     bool sampled = false;
     for (const Row& of_plan : execute(plan, values)) {
       const std::vector<Real> row = arm.row(of_plan, q);
-      const double off = problem.task == model::Task::position_and_pitch
-                             ? difference_of_pitch(problem, arm, row, q)
-                             : difference(arm.pose(row), pose, problem.task);
+      const double off = model::leaves_heading(problem.task) ? difference_but_heading(problem, arm, row, q)
+                                                             : difference(arm.pose(row), pose, problem.task);
       if (off > fifty_digits) {
         if (plan.plan.candidates) continue;
         throw CertificateError("inverse kinematics: a solution does not give the pose back");

@@ -106,6 +106,8 @@ TASKS = {
                          {"position": "t", "yaw": "t[3]"}, "qvgen::PositionAndYaw<double>"),
     "position_and_pitch": (4, "[px, py, pz, pitch]: position, m, and angle of the tool's axis to the first joint's, rad",
                            {"position": "t", "pitch": "t[3]"}, "qvgen::PositionAndPitch<double>"),
+    "position_and_inclination": (6, "[px, py, pz, x, y, z]: position, m, and the direction of the first joint's axis as the tool sees it, a unit vector",
+                                 {"position": "t", "up": "t + 3"}, "qvgen::PositionAndInclination<double>"),
     "direction": (3, "[x, y, z]: direction of the tool's axis, a unit vector", {"direction": "t"}, "qvgen::Direction<double>"),
     "orientation": (4, "[w, x, y, z]: unit quaternion", {"orientation": "t"}, "Eigen::Quaternion<double>"),
 }

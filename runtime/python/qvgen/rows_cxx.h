@@ -80,6 +80,12 @@ struct TargetOf<PositionAndPitch<double>> {
   static PositionAndPitch<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
 };
 template <>
+struct TargetOf<PositionAndInclination<double>> {
+  static PositionAndInclination<double> read(const double* row) {
+    return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
+  }
+};
+template <>
 struct TargetOf<Pose<double>> {
   static Pose<double> read(const double* row) {
     return {Eigen::Quaterniond(row[0], row[1], row[2], row[3]), Vector3<double>(row[4], row[5], row[6])};

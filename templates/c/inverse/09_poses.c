@@ -189,15 +189,19 @@ static Quaternion shortest_turn(const double* from, const double* to) {
   return turn_after(twice, first);
 }
 
+/// A direction with length one if its digits explain why it has not, else as it is.
+static void direction_meant(const double* direction, double* meant) {
+  memcpy(meant, direction, 3 * sizeof *meant);
+  if (!is_unit_by_digits(direction, 3)) return;
+  const double length = sqrt(projection(direction, direction));
+  for (int k = 0; k < 3; ++k) meant[k] /= length;
+}
+
 /// The pose with a given direction of a tool's axis that turns a tool at `at` least.
 static Pose directed_pose(const double* position, const double* direction, const double* tool_axis,
                           Quaternion at) {
   double now[3], meant[3];
-  memcpy(meant, direction, sizeof meant);
-  if (is_unit_by_digits(direction, 3)) {
-    const double length = sqrt(projection(direction, direction));
-    for (int k = 0; k < 3; ++k) meant[k] /= length;
-  }
+  direction_meant(direction, meant);
   turn_vector(at, tool_axis, now);
   Pose pose;
   pose.orientation = turn_after(shortest_turn(now, meant), at);

@@ -41,8 +41,8 @@ typedef struct PitchJoints {
 } PitchJoints;
 
 /// The direction of a joint's axis with the given joint moved.
-static void axis_with_given(const Arm* arm, PitchJoints joints, Quaternion moved, int joint, double* axis) {
-  if (joints.given >= 0 && joints.given < joint)
+static void axis_with_given(const Arm* arm, int given, Quaternion moved, int joint, double* axis) {
+  if (given >= 0 && given < joint)
     turn_vector(moved, arm->of[joint].axis, axis);
   else
     memcpy(axis, arm->of[joint].axis, 3 * sizeof *axis);
@@ -58,8 +58,8 @@ static Pose pitched_pose(const Arm* arm, PitchJoints joints, const double* tool_
     q[joints.given] = given;
     if (arm->of[joints.given].revolute) moved = turn_about(arm->of[joints.given].axis, given);
   }
-  axis_with_given(arm, joints, moved, joints.base, base);
-  axis_with_given(arm, joints, moved, joints.first, across);
+  axis_with_given(arm, joints.given, moved, joints.base, base);
+  axis_with_given(arm, joints.given, moved, joints.first, across);
   const Quaternion tool = tool_of(arm, q).orientation;
   turn_vector(tool, tool_axis, inclined);
   cross(base, inclined, normal);
@@ -69,6 +69,24 @@ static Pose pitched_pose(const Arm* arm, PitchJoints joints, const double* tool_
   Pose pose = pose_from(no_turn, position);
   pose.orientation = turn_after(turn_about(across, pitch - now), tool);
   if (!(projection(beside, beside) > tolerance_pitched)) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
+  return pose;
+}
+
+/// The joint that turns the whole arm, and what the caller gives, -1 for none.
+typedef struct HeadingJoints {
+  int base, given;
+} HeadingJoints;
+
+/// A pose with a position at which the tool sees the axis of the joint at the base along `up`.
+static Pose inclined_pose(const Arm* arm, HeadingJoints joints, const double* position, const double* up, double given) {
+  double base[3], meant[3];
+  Quaternion moved = {{1, 0, 0, 0}};
+  if (joints.given >= 0 && arm->of[joints.given].revolute) moved = turn_about(arm->of[joints.given].axis, given);
+  axis_with_given(arm, joints.given, moved, joints.base, base);
+  direction_meant(up, meant);
+  Pose pose = pose_from(no_turn, position);
+  pose.orientation = shortest_turn(base, meant);
+  for (int k = 1; k < 4; ++k) pose.orientation.of[k] = -pose.orientation.of[k];
   return pose;
 }
 

@@ -75,8 +75,7 @@ TEST_P(GivenDirection, WhatIsNoNumberIsInvalidAndWhatIsFarUnreachable) {
   EXPECT_EQ(test().robot().solve(pose, 0.3, 1e-12).status, Status::invalid);
   EXPECT_EQ(test().robot().solve(sample.pose, nan, 1e-12).status, Status::invalid);
   EXPECT_EQ(GetParam().solve_near(sample.pose, nan, sample.q).status, Status::invalid);
-  bool slides = false;
-  for (int i = 0; i < test().dof(); ++i) slides = slides || !test().revolute(i);
+  const bool slides = test().slides_besides_given();
   pose.position.x() = 1e6;
   const Found far = test().robot().solve(pose, 0.3, 1e-12);
   EXPECT_TRUE(slides || far.rows.empty());

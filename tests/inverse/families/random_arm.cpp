@@ -10,6 +10,7 @@
 #include "cut_arms.h"
 #include "directed_arms.h"
 #include "five_arms.h"
+#include "inclined_arms.h"
 #include "other_zeros.h"
 #include "pitched_arms.h"
 #include "seven_arms.h"
@@ -109,32 +110,23 @@ class Writer {
   /// the others, before them, or between the first and the rest.
   std::string pitched() {
     const Axis common = axis();
-    Axis first = axis();
-    while (parallel(first, common)) first = axis();
-    std::vector<Axis> across;
-    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
-                 [&](const Axis& each) { return is_across(each, common); });
-    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
     constexpr std::array<int, 4> places{4, 4, 0, 1};
     const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
-    std::string joints;
-    int number = 0;
-    for (int i = 0; i <= 4; ++i) {
-      if (i == given) joints += arm_joint(number++);
-      if (i == 4) break;
-      const bool slides = i > 0 && i == slide;
-      const std::string origin = link();
-      joints += joint(number++, !slides,
-                      i == 0   ? first
-                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
-                               : common,
-                      origin, link());
-    }
+    const std::string joints = turned_plane(common, given, 4);
     Axis tool = axis();
     while (parallel(tool, common)) tool = axis();
     return description("random arm with a pitch", joints,
-                       "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" +
-                           (given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n"));
+                       "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" + given_key(given));
+  }
+
+  /// Such an arm with a roll behind it: five joints that a position and an inclination determine, or six of
+  /// which one is given: before the others or behind them, behind the first, or before the roll.
+  std::string inclined() {
+    const Axis common = axis();
+    constexpr std::array<int, 4> places{0, 1, 4, 5};
+    const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
+    return description("random arm with an inclination", turned_plane(common, given, 5),
+                       "task = \"position_and_inclination\"\n" + given_key(given));
   }
 
   /// Six joints with a wrist or three parallel axes; the generator chooses the one to give.
@@ -171,6 +163,38 @@ class Writer {
   }
 
  private:
+  /// A turn, then turns about `common` and at most one slide across it, the last of the three a turn; with
+  /// `count` 5 a roll. One joint more stands at `given`, if that is not negative.
+  std::string turned_plane(const Axis& common, int given, int count) {
+    Axis first = axis();
+    while (parallel(first, common)) first = axis();
+    Axis roll = common;
+    while (count > 4 && parallel(roll, common)) roll = axis();
+    std::vector<Axis> across;
+    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
+                 [&](const Axis& each) { return is_across(each, common); });
+    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
+    std::string joints;
+    int number = 0;
+    for (int i = 0; i <= count; ++i) {
+      if (i == given) joints += arm_joint(number++);
+      if (i == count) break;
+      const bool slides = i > 0 && i == slide;
+      const std::string origin = link();
+      joints += joint(number++, !slides,
+                      i == 0   ? first
+                      : i == 4 ? roll
+                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
+                               : common,
+                      origin, link());
+    }
+    return joints;
+  }
+
+  static std::string given_key(int given) {
+    return given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n";
+  }
+
   std::string description(const std::string& title, const std::string& joints,
                           const std::string& keys = "") const {
     std::string text = "name = \"" + name_ + "\"\ntitle = \"" + title + "\"\n" + keys;
@@ -317,11 +341,6 @@ std::string arm_name(const std::string& family, std::uint32_t seed) {
   return family + "_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
 }
 
-std::string pieper_description(std::uint32_t seed) { return Writer(arm_name("pieper", seed), seed).pieper(); }
-std::string parallel_description(std::uint32_t seed) {
-  return Writer(arm_name("parallel", seed), seed).parallel_axes();
-}
-
 namespace {
 
 constexpr std::array<const char*, 16> codes{"cc", "cn", "cr", "cs", "nc", "nn", "nr", "ns",
@@ -335,52 +354,51 @@ std::string fewer(const std::string& family, std::uint32_t seed) {
                    name);
   if (family == "five" && seed < five_arms.size())
     return "name = \"" + name + "\"\ntitle = \"five joints\"\n" + five_arms[seed];
-  const std::string whole = seed % 3 == 2 ? parallel_description(seed) : pieper_description(seed);
+  const std::string whole = arm_description(seed % 3 == 2 ? "parallel" : "pieper", seed);
   return cut_arm(whole, family == "five" ? 5 : 4, name);
+}
+
+/// An arm as it is built, behind the lines that all of its family have, or a random one.
+template <class Arms>
+std::string built_or_random(const std::string& name, std::uint32_t seed, const Arms& arms,
+                            const std::string& head, std::string (Writer::*random)()) {
+  if (seed < arms.size()) return "name = \"" + name + "\"\n" + head + arms[seed];
+  Writer writer(name, seed);
+  return (writer.*random)();
 }
 
 }  // namespace
 
 std::string arm_description(const std::string& family, std::uint32_t seed) {
+  const std::string name = arm_name(family, seed);
   if (family == "five" || family == "four" || family == "codes") return fewer(family, seed);
   if (family == "seven") {
-    const std::string name = arm_name(family, seed);
     return seed < seven_arms.size()
                ? "name = \"" + name + "\"\ntitle = \"seven joints\"\n" + seven_arms[seed].text()
                : Writer(name, seed).seven();
   }
-  if (family == "unstructured") {
-    const std::string name = arm_name(family, seed);
-    return seed < unstructured_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"without structure\"\n" + unstructured_arms[seed]
-               : Writer(name, seed).unstructured();
-  }
-  if (family == "pitch") {
-    const std::string name = arm_name(family, seed);
-    return seed < pitched_arms.size()
-               ? "name = \"" + name + "\"\ntitle = \"with a pitch\"\ntask = \"position_and_pitch\"\n" +
-                     pitched_arms[seed]
-               : Writer(name, seed).pitched();
-  }
+  if (family == "unstructured")
+    return built_or_random(name, seed, unstructured_arms, "title = \"without structure\"\n",
+                           &Writer::unstructured);
+  if (family == "pitch")
+    return built_or_random(name, seed, pitched_arms,
+                           "title = \"with a pitch\"\ntask = \"position_and_pitch\"\n", &Writer::pitched);
+  if (family == "inclined")
+    return built_or_random(name, seed, inclined_arms,
+                           "title = \"inclined\"\ntask = \"position_and_inclination\"\n", &Writer::inclined);
   if (family == "directed") {
-    const std::string name = arm_name(family, seed);
     const std::string keys = "task = \"position_and_direction\"\n";
     return seed < directed_arms.size() ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys +
                                              text_of(directed_arms[seed])
                                        : Writer(name, seed).directed(keys);
   }
-  if (family == "machines") {
-    const std::string name = arm_name(family, seed);
-    return seed < sliding_machines.size()
-               ? "name = \"" + name + "\"\ntitle = \"three slides\"\n" + sliding_machines[seed]
-               : Writer(name, seed).three_slides();
-  }
-  if (family == "slides") return sliding_arm(arm_name(family, seed), seed);
-  if (family == "turned") return turned_arm(arm_name(family, seed), seed);
-  if (family == "twists") return twisted_arm(arm_name(family, seed), seed);
-  if (family == "zeros")
-    return "name = \"" + arm_name(family, seed) + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);
-  return family == "pieper" ? pieper_description(seed) : parallel_description(seed);
+  if (family == "machines")
+    return built_or_random(name, seed, sliding_machines, "title = \"three slides\"\n", &Writer::three_slides);
+  if (family == "slides") return sliding_arm(name, seed);
+  if (family == "turned") return turned_arm(name, seed);
+  if (family == "twists") return twisted_arm(name, seed);
+  if (family == "zeros") return "name = \"" + name + "\"\ntitle = \"other zeros\"\n" + other_zeros.at(seed);
+  return family == "pieper" ? Writer(name, seed).pieper() : Writer(name, seed).parallel_axes();
 }
 
 }  // namespace qvgen::test

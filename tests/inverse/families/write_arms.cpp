@@ -42,7 +42,7 @@ using qvgen::test::copy;
 const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info@SUFFIX@, {}, {
     [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
     [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
-    {}, {}, {}, @NEAR@, @PITCH@}});
+    {}, {}, {}, @NEAR@, @PITCH@, @INCLINATION@}});
 const bool within = qvgen::test::rows_within("@NAME@").emplace("C++", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), qvgen::JointLimits<robot::dof>{lower, upper})); }).second;
 }
 }
@@ -53,6 +53,9 @@ constexpr const char* near_a_seed =
 
 constexpr const char* by_pitch =
     R"([](const Eigen::Vector3d& position, double pitch, [[maybe_unused]] double given) { return copy(robot::inverse_kinematics@SUFFIX@(qvgen::PositionAndPitch<double>{position, pitch}@GIVEN@)); })";
+
+constexpr const char* by_inclination =
+    R"([](const Eigen::Vector3d& position, const Eigen::Vector3d& up, [[maybe_unused]] double given) { return copy(robot::inverse_kinematics@SUFFIX@(qvgen::PositionAndInclination<double>{position, up}@GIVEN@)); })";
 
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
@@ -74,7 +77,7 @@ qvgen::test::InverseFunctions functions() {
   qvgen::test::InverseFunctions all;
   all.solve = [](const Pose& pose, double given, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, nullptr, tolerance, set); }); };
   all.solve_from = [](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
-@NEAR@@PITCH@  return all;
+@NEAR@@PITCH@@INCLINATION@  return all;
 }
 const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
 const bool within = qvgen::test::rows_within("@NAME@").emplace("C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); }).second;
@@ -88,6 +91,10 @@ constexpr const char* near_a_seed_in_c =
 
 constexpr const char* by_pitch_in_c =
     R"(  all.solve_pitch = [](const Eigen::Vector3d& position, double pitch, [[maybe_unused]] double given) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return @NAME@_inverse_kinematics@SUFFIX@_of_position_and_pitch(position.data(), pitch@GIVEN@, nullptr, &@NAME@_default_geometry, 1e-13, set); }); };
+)";
+
+constexpr const char* by_inclination_in_c =
+    R"(  all.solve_inclination = [](const Eigen::Vector3d& position, const Eigen::Vector3d& up, [[maybe_unused]] double given) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return @NAME@_inverse_kinematics@SUFFIX@_of_position_and_inclination(position.data(), up.data()@GIVEN@, nullptr, &@NAME@_default_geometry, 1e-13, set); }); };
 )";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -143,9 +150,12 @@ std::string registration_in_c(const Folder& folder, const std::string& name) {
   const std::string given = suffix(header), asked = task(header);
   const std::string pose = "wxyz(task.orientation).data(), task.position.data()";
   const bool has_pitch = asked == "position_and_pitch";
-  const bool whole = asked == "pose" || asked == "position" || asked == "position_and_yaw" || has_pitch;
+  const bool has_inclination = asked == "position_and_inclination";
+  const bool whole =
+      asked == "pose" || asked == "position" || asked == "position_and_yaw" || has_pitch || has_inclination;
   std::string text = replaced(arm_in_c, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
   text = replaced(text, "@PITCH@", has_pitch ? by_pitch_in_c : "");
+  text = replaced(text, "@INCLINATION@", has_inclination ? by_inclination_in_c : "");
   text = replaced(text, "@OF@", whole ? "" : "_of_" + asked);
   text = replaced(text, "@ARGUMENTS@",
                   whole                    ? pose
@@ -176,6 +186,8 @@ std::string registration(const Folder& folder, const std::string& name) {
   const std::string given = suffix(folder.header(name));
   text = replaced(text, "@NEAR@", has_near(folder.header(name), given) ? near_a_seed : "{}");
   text = replaced(text, "@PITCH@", task(folder.header(name)) == "position_and_pitch" ? by_pitch : "{}");
+  text = replaced(text, "@INCLINATION@",
+                  task(folder.header(name)) == "position_and_inclination" ? by_inclination : "{}");
   text = replaced(text, "@NAME@", name);
   text = replaced(text, "@SUFFIX@", given);
   text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");

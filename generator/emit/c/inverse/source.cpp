@@ -74,6 +74,17 @@ Argument pitched(const model::Robot& described, const Problem& problem) {
           true};
 }
 
+Argument inclined(const model::Robot& described, const Problem& problem) {
+  const std::string given =
+      problem.given < 0 ? "0" : "given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  return {"const double position[3], const double up[3]",
+          "position, up",
+          {"const HeadingJoints joints = {" + std::to_string(problem.places[0]) + ", " +
+               std::to_string(problem.given) + "};",
+           "const Pose pose = inclined_pose(&arm, joints, position, up, " + given + ");"},
+          true};
+}
+
 Argument reduced(const model::Robot& described, const Problem& problem) {
   switch (problem.task) {
     case Task::position_and_direction:
@@ -88,6 +99,8 @@ Argument reduced(const model::Robot& described, const Problem& problem) {
       return with_yaw(problem);
     case Task::position_and_pitch:
       return pitched(described, problem);
+    case Task::position_and_inclination:
+      return inclined(described, problem);
     case Task::position:
     case Task::pose:
       break;

@@ -28,6 +28,8 @@ Argument pose_argument(Task task) {
     if (task == Task::position) return "its position; the orientation is not used)";
     if (task == Task::position_and_pitch)
       return "its position and pitch; its heading is not used, a tilt to the side is unreachable)";
+    if (task == Task::position_and_inclination)
+      return "its position and inclination; its heading is not used)";
     return "position and orientation)";
   };
   return {"const Pose<double>& pose", "pose", std::string("a pose (") + used(), "pose", "pose", true};
@@ -66,6 +68,22 @@ Argument pitched(const model::Robot& described, const Problem& problem) {
           false};
 }
 
+Argument inclined(const model::Robot& described, const Problem& problem) {
+  const int base = problem.places[0];
+  const std::string given =
+      problem.given < 0 ? ""
+                        : ", given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  const std::string pose = "inverse::pose_of(task, arm, inverse::HeadingJoints{" + std::to_string(base) +
+                           ", " + std::to_string(problem.given) + "}" + given + ")";
+  return {"const PositionAndInclination<double>& task",
+          "task",
+          "a position of the tool point and the direction of the axis of " +
+              described.joints[static_cast<std::size_t>(base)].variable + " as the tool sees it",
+          pose,
+          pose,
+          false};
+}
+
 /// Returns the argument of a task that is less than a pose.
 Argument reduced_argument(const model::Robot& described, const Problem& problem) {
   const auto both = [](Argument argument) {
@@ -91,6 +109,8 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
     }
     case Task::position_and_pitch:
       return pitched(described, problem);
+    case Task::position_and_inclination:
+      return inclined(described, problem);
     case Task::position:
     case Task::pose:
       break;

@@ -28,7 +28,8 @@ enum class Task {
   position_and_yaw,
   position_and_pitch,
   direction,
-  orientation
+  orientation,
+  position_and_inclination
 };
 
 /// Properties of a generated inverse kinematics.

@@ -34,6 +34,23 @@ struct PositionAndPitch {
   Scalar pitch;
 };
 
+/// Target position of the tool point, m, and inclination of the tool: the direction of the axis about which
+/// the arm turns as a whole, as the tool sees it, a unit vector in the tool's frame. With an upright first
+/// axis it is what a level on the tool shows; the heading, the turn about that axis, is left open.
+template <class Scalar>
+struct PositionAndInclination {
+  Vector3<Scalar> position;
+  Vector3<Scalar> up;
+};
+
+/// Returns the direction of the base's z as a tool sees it whose orientation is Rz(any heading) Ry(pitch)
+/// Rx(roll), rad.
+template <class Scalar>
+Vector3<Scalar> up_seen(Scalar pitch, Scalar roll) {
+  using std::cos, std::sin;
+  return {-sin(pitch), cos(pitch) * sin(roll), cos(pitch) * cos(roll)};
+}
+
 /// Target direction of one axis of the tool: a unit vector.
 template <class Scalar>
 struct Direction {
@@ -142,6 +159,28 @@ Pose<double> pose_of(const PositionAndPitch<double>& task, const ArmAtZero<dof>&
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(task.pitch - angle_about(across, base, inclined), across));
   const bool has_pitch = inclined.cross(across).squaredNorm() > tolerance::pitched;
   return {has_pitch ? turn * tool : Eigen::Quaterniond(0, 0, 0, 0), task.position};
+}
+
+/// Joints on which it depends where a heading is counted about.
+struct HeadingJoints {
+  int base;        ///< turns the whole arm
+  int given = -1;  ///< the joint whose value the caller gives
+};
+
+/// Returns the pose with the position and the inclination of a task that turns the tool least from the base's
+/// frame.
+template <int dof>
+Pose<double> pose_of(const PositionAndInclination<double>& task, const ArmAtZero<dof>& arm,
+                     const HeadingJoints& joints, double given = 0) {
+  const auto axis_of = [&](int joint) {
+    const Triple<double>& axis = arm.joints[static_cast<std::size_t>(joint)].axis;
+    return Vector3<double>(axis[0], axis[1], axis[2]);
+  };
+  const bool is_moved = joints.given >= 0 && joints.given < joints.base &&
+                        arm.joints[static_cast<std::size_t>(joints.given)].revolute;
+  const Vector3<double> base = axis_of(joints.base);
+  const Vector3<double> moved = is_moved ? Eigen::AngleAxisd(given, axis_of(joints.given)) * base : base;
+  return {turn_between(moved, direction_meant(task.up)).conjugate(), task.position};
 }
 
 }  // namespace inverse

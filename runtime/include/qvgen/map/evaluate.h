@@ -32,7 +32,7 @@ struct Plan {
 /// angle; as many numbers as each has, zeros behind them. Arms that place a point take the orientation that
 /// they are told for none.
 inline std::array<double, 4> target_of(Task task, std::size_t i, std::size_t count) {
-  if (task == Task::position_and_direction) {
+  if (task == Task::position_and_direction || task == Task::position_and_inclination) {
     const std::array<double, 3> to = even_direction(i, count);
     return {to[0], to[1], to[2], 0};
   }
@@ -48,6 +48,8 @@ auto target_at(const Batch<const double>& targets, std::size_t k) {
   const Vector3<double> position(targets(4, k), targets(5, k), targets(6, k));
   if constexpr (task == Task::position_and_direction)
     return PositionAndDirection<double>{position, {targets(0, k), targets(1, k), targets(2, k)}};
+  else if constexpr (task == Task::position_and_inclination)
+    return PositionAndInclination<double>{position, {targets(0, k), targets(1, k), targets(2, k)}};
   else if constexpr (task == Task::position_and_pitch)
     return PositionAndPitch<double>{position, targets(0, k)};
   else

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Arms that are asked for a position and an inclination, generated and compiled: every solution, in C++ and
+// in C. The reference has its own equations: the first axis in the tool's frame, by forward kinematics.
+#include "robot_in_c.h"
+#include "written_arm.h"
+
+namespace qvgen::test {
+namespace {
+
+class Inclination : public WrittenArm {
+ protected:
+  /// The rows of a position and an inclination, in both languages, are those of the pose that was sampled.
+  void expect_rows_of_pose(const Eigen::VectorXd& q) {
+    const Sample sample = sample_at(test(), q);
+    const double given = test().given(q);
+    const Eigen::Vector3d up = test().base_seen(q, test().tool(q));
+    const Found by_pose = test().robot().solve(sample.pose, given, inverse::default_tolerance);
+    const Found found = GetParam().functions.solve_inclination(sample.pose.position, up, given);
+    const Verdict verdict = judge(test(), sample, found);
+    EXPECT_EQ(verdict.fault, "") << q.transpose();
+    EXPECT_EQ(found.rows.size(), by_pose.rows.size()) << q.transpose();
+    const auto in_c = inverses_in_c().find(GetParam().name);
+    ASSERT_NE(in_c, inverses_in_c().end());
+    const Found rows = in_c->second.solve_inclination(sample.pose.position, up, given);
+    ASSERT_EQ(rows.rows.size(), found.rows.size());
+    for (std::size_t i = 0; i < rows.rows.size(); ++i)
+      EXPECT_LT(test().distance(rows.rows[i].q, found.rows[i].q), 1e-9);
+  }
+
+  /// Returns joints at which the axis of the roll is along the first axis, by the turn before the roll; none
+  /// if that does not bring it there.
+  std::optional<Eigen::VectorXd> with_roll_along_the_first_axis(double sense) {
+    std::vector<std::size_t> solved;
+    for (int i = 0; i < test().dof(); ++i)
+      if (i != GetParam().info.given_joint) solved.push_back(static_cast<std::size_t>(i));
+    Eigen::VectorXd q = test().joints();
+    const auto axis = [&](std::size_t k) -> Eigen::Vector3d {
+      return reference::joint_places(test().chain(), q)[solved[k]].axis;
+    };
+    const Eigen::Vector3d y = axis(3), from = axis(4).cross(y), to = sense * axis(0).cross(y);
+    q[static_cast<Eigen::Index>(solved[3])] += std::atan2(y.dot(from.cross(to)), from.dot(to));
+    if ((axis(4) - sense * axis(0)).norm() > 1e-9) return std::nullopt;
+    return q;
+  }
+};
+
+TEST_P(Inclination, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
+TEST_P(Inclination, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
+TEST_P(Inclination, EveryJointNearlyZeroInTurn) { expect_found_or_told("a joint at 10^-u"); }
+TEST_P(Inclination, OnALatticeOf45Degrees) { expect_found_or_told("45° lattice"); }
+TEST_P(Inclination, BranchesThatMeet) { run("boundary", pose_count() / 20); }
+TEST_P(Inclination, ToolPointOnTheFirstAxis) { expect_found_or_told("tool on axis 1"); }
+TEST_P(Inclination, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
+TEST_P(Inclination, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
+
+TEST_P(Inclination, IsTheFirstAxisAsTheToolSeesIt) {
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) expect_rows_of_pose(test().joints());
+}
+
+/// A gripper that points along the first axis and rolls about itself, up or down: the roll is free. If the
+/// tool point is off the roll's axis, few rolls may reach it; then the status says that none was found.
+TEST_P(Inclination, RollAlongTheFirstAxis) {
+  int poses = 0, told = 0;
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) {
+    const std::optional<Eigen::VectorXd> q = with_roll_along_the_first_axis(i % 2 == 0 ? 1 : -1);
+    if (!q) continue;
+    ++poses;
+    const Sample sample = sample_at(test(), *q);
+    const Found found = test().robot().solve(sample.pose, test().given(*q), inverse::default_tolerance);
+    const Verdict verdict = judge(test(), sample, found);
+    const bool is_told = found.status == Status::incomplete && (verdict.missing || verdict.told);
+    told += is_told ? 1 : 0;
+    EXPECT_TRUE(is_told || verdict.fault.empty()) << verdict.fault;
+    EXPECT_EQ(verdict.bad + verdict.repeated, 0) << verdict.fault;
+    EXPECT_TRUE(found.status == Status::singular || found.status == Status::incomplete) << q->transpose();
+  }
+  EXPECT_LE(told, 1 + poses / 20);
+  if (poses == 0) GTEST_SKIP() << "the roll's axis is never along the first one";
+}
+
+/// The first joint turns to the position alone: with another heading of the pose the rows are the same.
+TEST_P(Inclination, TheHeadingOfAPoseIsNotUsed) {
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) {
+    const Eigen::VectorXd q = test().joints();
+    const double given = test().given(q);
+    const Sample sample = sample_at(test(), q);
+    const Eigen::Vector3d axis = test().tool(q).linear() * test().base_seen(q, test().tool(q));
+    Pose<double> turned = sample.pose;
+    turned.orientation = Eigen::AngleAxisd(test().uniform(-pi, pi), axis) * turned.orientation;
+    const Found found = test().robot().solve(sample.pose, given, inverse::default_tolerance);
+    const Found other = test().robot().solve(turned, given, inverse::default_tolerance);
+    ASSERT_EQ(found.rows.size(), other.rows.size());
+    for (std::size_t k = 0; k < found.rows.size(); ++k)
+      EXPECT_LT(test().distance(found.rows[k].q, other.rows[k].q), 1e-7);
+  }
+}
+
+TEST_P(Inclination, WhatIsNoNumberIsInvalidAndWhatIsFarUnreachable) {
+  const auto solve = GetParam().functions.solve_inclination;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(solve({0.1, 0.2, 0.3}, {0, none, 1}, 0).status, Status::invalid);
+  EXPECT_EQ(solve({0.1, 0.2, 0.3}, {0, 0, 0}, 0).status, Status::invalid);
+  EXPECT_EQ(solve({0.1, 0.2, 0.3}, {0, 0, 2}, 0).status, Status::invalid);
+  EXPECT_EQ(solve({none, 0.2, 0.3}, {0, 0, 1}, 0).status, Status::invalid);
+  const bool slides = test().slides_besides_given();
+  const Eigen::VectorXd q = test().joints();
+  const Found far = solve({1e6, 0.2, 0.3}, test().base_seen(q, test().tool(q)), test().given(q));
+  EXPECT_EQ(far.rows.empty(), far.status == Status::unreachable);
+  EXPECT_TRUE(slides || far.rows.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Arms, Inclination, testing::ValuesIn(inverses()), name_of);
+
+TEST(InclinedArms, AllAreSolved) {
+  EXPECT_EQ(inverses().size(), written_arms());
+  for (const Unsolved& arm : unsolved()) ADD_FAILURE() << arm.name << ": " << arm.reasons;
+}
+
+/// Pitch and roll as an inertial unit has them: of Rz(heading) Ry(pitch) Rx(roll).
+TEST(UpSeen, IsTheZOfTheBaseWhateverTheHeading) {
+  for (const double heading : {0.0, 0.7, -2.9})
+    for (const double pitch : {-1.5, 0.0, 0.4})
+      for (const double roll : {-3.0, 0.0, 1.1}) {
+        const Eigen::Matrix3d turn = (Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) *
+                                      Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+                                         .toRotationMatrix();
+        EXPECT_LT((up_seen(pitch, roll) - turn.transpose() * Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+      }
+}
+
+}  // namespace
+}  // namespace qvgen::test
