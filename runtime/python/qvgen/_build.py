@@ -128,7 +128,7 @@ def _listed(robot, bound):
     listed = {name: "here" if name in bound else "in C++ only" for name in [*names, *(name for name in bound if name not in OF_A_BASE)]}
     listed.pop("total_mass", None)
     served = {"arm_angle"} & robot.cxx_parts | ({"inverse"} if robot.cxx_targets else set()) | ({"assembly"} if robot.loops else set())
-    missing = {each["part"]: each["reason"] for each in robot.entry.get("missing", []) if each["part"] not in served}
+    missing = {each["part"]: each["reason"] for each in robot.entry.get("missing", []) if each["part"] not in served | bound.keys()}
     return {**listed, **missing, **robot.cxx_missing}
 
 
