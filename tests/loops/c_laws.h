@@ -53,13 +53,14 @@ template <class Found, class Call>
 int expect_same(const Found& found, const Call& call) {
   constexpr int dof = std::decay_t<decltype(found[0].q)>::RowsAtCompileTime;
   double q[Found::max_size][dof];
-  int branches[Found::max_size], meets[Found::max_size], status = -1;
-  const int count = call(Found::max_size, q, branches, meets, &status);
+  int branches[Found::max_size], free_joints[Found::max_size], meets[Found::max_size], status = -1;
+  const int count = call(Found::max_size, q, branches, free_joints, meets, &status);
   EXPECT_EQ(count, found.size());
   EXPECT_EQ(status, static_cast<int>(found.status));
   for (int i = 0; i < std::min(count, found.size()); ++i) {
     expect_turns(found[i].q, q[i]);
     EXPECT_EQ(branches[i], found[i].branch);
+    EXPECT_EQ(free_joints[i], found[i].continuum ? 1 : 0);
     EXPECT_EQ(meets[i], found.meets(found[i]) ? 1 : 0);
   }
   return count;

@@ -8,12 +8,12 @@
 
 int call_all(const double* a, struct Called* to) {
   int status = 0;
-  to->count = delta_assemble(a, NULL, NULL, 2, to->rows, to->branches, to->meets, &status);
+  to->count = delta_assemble(a, NULL, NULL, 2, to->rows, to->branches, NULL, to->meets, &status);
   to->status = status;
   if (to->count == 0) return delta_assemble_capacity;
   const double* q = to->rows[0];
   double outputs[3] = {q[3], q[4], q[5]};
-  to->modes = delta_assemble_from_outputs(outputs, q, NULL, 1, &to->near, NULL, NULL, &status);
+  to->modes = delta_assemble_from_outputs(outputs, q, NULL, 1, &to->near, NULL, NULL, NULL, &status);
   to->closed = delta_follow(a, q, NULL, to->followed);
   delta_loop_gaps(q, NULL, to->gaps);
   delta_rates(q, NULL, to->rates);

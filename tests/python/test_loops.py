@@ -3,6 +3,8 @@
 
 import os
 import pathlib
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -156,3 +158,22 @@ def test_legs_with_rods_reach_poses():
     wrench = np.array([1.0, 2, 3, 4, 5, 6])
     np.testing.assert_allclose(leg.motor_forces_of_foot(q[0], wrench), -leg.jacobian_of_foot(q[0]).T @ wrench, atol=1e-12)
     assert np.isfinite(leg.loop_forces(q[0], np.ones(6), np.ones(6))).all()
+
+
+def test_loops_need_no_cxx_compiler():
+    code = ("import qvgen, numpy, sys\n"
+            "bar = qvgen.load(sys.argv[1], '--only', 'dynamics,kinematics,jacobian,assembly')\n"
+            "found = bar.assemble([[0.4], [0.5]], [0.4, 0, 0]).q[:, 0]\n"
+            "assert bar.follow([0.5], found[0]).closed and bar.rates(found).shape == (2, 3, 1)\n"
+            "assert bar.pose_of_point(found).shape == (2, 7) and bar.driven_mass_matrix(found).shape == (2, 1, 1)\n")
+    environment = {**os.environ, "CXX": "false"}
+    subprocess.run([sys.executable, "-c", code, str(ROBOTS / "four_bar.toml")], check=True, env=environment)
+
+
+def test_rows_of_c_are_those_of_cxx(bar):
+    crank = np.linspace(-7, 7, 100)[:, None]
+    crank[50] = np.nan
+    in_c, in_cxx = bar.assemble(crank, [0, 0, 9]), bar.assemble(crank, [0, 0, 9], tolerance=1.0001e-13)
+    for one, other in zip(in_c, in_cxx):
+        np.testing.assert_allclose(one, other, atol=1e-12)
+    assert in_c.status[50] == qvgen.Status.invalid

@@ -36,14 +36,15 @@ class Robot:
         self.entry = counts[f"c/{name}"]
         self.targets = self.entry.get("targets", {})
         self.header = header_of(name, folder)
-        self.path = sources.packed_library() or compiled_library(name, folder)
+        self._cxx_part(folder)
+        numbers = {**self.loops.numbers, "dof": self.header.numbers["dof"]} if self.loops else None
+        self.path = sources.packed_library() or compiled_library(name, folder, loop_numbers=numbers)
         self._libraries = {np.float64: ctypes.CDLL(str(self.path))}
         library = self._libraries[np.float64]
         self.facts = self.header.values(library)
         self.geometry = Constants("geometry", self.header.defaults(library, "geometry"))
         self.inertia = Constants("inertia", self.header.defaults(library, "inertia"))
         self.capacity = self.header.numbers.get("solutions_capacity")
-        self._cxx_part(folder)
 
     def _cxx_part(self, folder):
         """Finds what the robot has in C++ only."""
@@ -82,9 +83,13 @@ class Robot:
         tips = self.loops.tips_with_parts(self.name) if self.loops else {}
         return cxx_library(self.name, generated, rows, generated == GENERATED, tips)
 
+    def has_in_c(self, symbol):
+        """True if the library of its C has a loop of that name."""
+        return hasattr(self._libraries[np.float64], symbol)
+
     def function(self, symbol, dtype):
         """The loop of that name; compiles its library if it is the first call of one in float or in C++."""
-        kind = dtype if dtype == np.float32 or hasattr(self._libraries[np.float64], symbol) else "cxx"
+        kind = dtype if dtype == np.float32 or self.has_in_c(symbol) else "cxx"
         with self._lock:
             if kind not in self._libraries:
                 self._libraries[kind] = ctypes.CDLL(str(self._compiled(kind)))
@@ -123,7 +128,7 @@ def _listed(robot, bound):
     listed = {name: "here" if name in bound else "in C++ only" for name in [*names, *(name for name in bound if name not in OF_A_BASE)]}
     listed.pop("total_mass", None)
     served = {"arm_angle"} & robot.cxx_parts | ({"inverse"} if robot.cxx_targets else set()) | ({"assembly"} if robot.loops else set())
-    missing = {each["part"]: each["reason"] for each in robot.entry.get("missing", []) if each["part"] not in served}
+    missing = {each["part"]: each["reason"] for each in robot.entry.get("missing", []) if each["part"] not in served | bound.keys()}
     return {**listed, **missing, **robot.cxx_missing}
 
 

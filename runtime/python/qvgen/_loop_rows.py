@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Functions of a robot's closed loops: what its header assembly.h declares, and the C++ that runs them over rows.
 
-The loops over rows are the templates of rows_loops.h.
+The loops over rows are the templates of rows_loops.h. What C has is run by C instead: _loop_rows_c.py.
 """
 
 import re

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Makes the Python functions of a module's closed loops: assemblies, rates and dynamics of the driven joints.
 
-Everything is computed in float64, in C++.
+Everything is computed in float64: in C, or in C++ what C has not.
 """
 
 import numpy as np
@@ -12,6 +12,7 @@ from ._inverse import solution_arrays
 from ._loop_rows import ARGUMENTS, argument_of, entry_of_loops, given_of
 from ._tables import sizes
 
+USUAL_TOLERANCE = 1e-13
 DEFAULTS = {"geometry": None, "inertia": None, "gravity": 9.80665}
 MEANINGS = {"geometry": "values of constants of the description, by name",
             "inertia": "inertial parameters of the description, by name",
@@ -79,7 +80,9 @@ def _set(robot, name):
 
     def call(value, seed, geometry, tolerance):
         from . import Assemblies
-        function = robot.function(f"rows_{name}", np.float64)
+        in_c = f"rows_{name}_in_c"  # which has the usual tolerance alone
+        symbol = in_c if tolerance == USUAL_TOLERANCE and robot.has_in_c(in_c) else f"rows_{name}"
+        function = robot.function(symbol, np.float64)
         at = Rows(np.float64)
         at.add(value, sizes(size, numbers), given)
         if seed is not None:
@@ -94,7 +97,7 @@ def _set(robot, name):
         at.run(function, q, branch, continuum, count, status, meets)
         return Assemblies(q, count, status, branch, continuum, meets)
 
-    return made(name, [given, ("seed", None), "*", ("geometry", None), ("tolerance", 1e-13)], f"{given}, seed, geometry, tolerance",
+    return made(name, [given, ("seed", None), "*", ("geometry", None), ("tolerance", USUAL_TOLERANCE)], f"{given}, seed, geometry, tolerance",
                 SET_DOC.format(given=given, size=size, meaning=meaning), call)
 
 

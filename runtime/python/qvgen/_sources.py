@@ -5,10 +5,12 @@ NumPy is not needed here: whoever builds a wheel with compiled robots may not ha
 """
 
 import json
+import re
 
 from ._c_rows import c_rows
 from ._header import Header
 from ._library import HERE, ROOT, c_library, cache_folder, hash_of, run
+from ._loop_rows_c import loop_rows_in_c
 from ._tool import tool
 
 GENERATED = ROOT / "generated"  # C++ of this source tree's robots
@@ -70,9 +72,23 @@ def header_of(name, folder, is_float=False):
     return Header(name, "\n".join(each.with_suffix(".h").read_text() for each in _files(name, folder, is_float)))
 
 
-def compiled_library(name, folder, number="double"):
-    """Path of the library of a robot's C, compiled if it is not there."""
+def loop_files(name, folder):
+    """C sources of a robot's closed loops and of the limbs that they call; none without loops."""
+    loops = folder / "c" / f"qvgen_{name}_loops.c"
+    if not loops.exists():
+        return []
+    included = re.findall(rf'#include "(qvgen_{name}_\w+)\.h"', loops.read_text())
+    return [folder / "c" / f"{each}.c" for each in included]
+
+
+def compiled_library(name, folder, number="double", loop_numbers=None):
+    """Path of the library of a robot's C, compiled if it is not there. `loop_numbers`: counts of joints, of closed loops."""
     files = _files(name, folder, number == "float")
     targets = json.loads((folder / "operation_counts.json").read_text())[f"c/{name}"].get("targets", {})
     header = header_of(name, folder, number == "float")
-    return c_library(name, files, c_rows(header, [each.with_suffix(".h").name for each in files], targets, number))
+    rows = c_rows(header, [each.with_suffix(".h").name for each in files], targets, number)
+    if loop_numbers:
+        loops = loop_files(name, folder)
+        rows += loop_rows_in_c(name, loops[0].with_suffix(".h").read_text(), loop_numbers)
+        files = files + loops
+    return c_library(name, files, rows)
