@@ -92,27 +92,52 @@ static Harmonics eliminated_turn(double (*e)[9]) {
   return sum;
 }
 
-/// Value and two derivatives of a polynomial.
+/// Value and three derivatives of a polynomial.
 typedef struct Jet {
-  double value, slope, curvature;
+  double value, slope, curvature, third;
 } Jet;
 
-static Jet jet_at(const Harmonics* f, Rotor at) {
+/// Harmonics 1 to 4 of a polynomial at one angle, and the derivative of each by its own angle, k u.
+typedef struct HarmonicsAt {
+  double v1, v2, v3, v4, d1, d2, d3, d4;
+} HarmonicsAt;
+
+static HarmonicsAt harmonics_at(const Harmonics* f, Rotor at) {
   const double c1 = at.cosine, s1 = at.sine, c2 = c1 * c1 - s1 * s1, s2 = c1 * s1 + c1 * s1;
   const double c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2, c4 = c2 * c2 - s2 * s2, s4 = c2 * s2 + c2 * s2;
-  const double v1 = f->c[0] * c1 + f->s[0] * s1, v2 = f->c[1] * c2 + f->s[1] * s2;
-  const double v3 = f->c[2] * c3 + f->s[2] * s3, v4 = f->c[3] * c4 + f->s[3] * s4;
-  const double d1 = f->s[0] * c1 - f->c[0] * s1, d2 = f->s[1] * c2 - f->c[1] * s2;
-  const double d3 = f->s[2] * c3 - f->c[2] * s3, d4 = f->s[3] * c4 - f->c[3] * s4;
-  const Jet jet = {((f->one + v1) + v2) + (v3 + v4), (d1 + 2 * d2) + (3 * d3 + 4 * d4),
-                   -((v1 + 4 * v2) + (9 * v3 + 16 * v4))};
+  const HarmonicsAt h = {f->c[0] * c1 + f->s[0] * s1, f->c[1] * c2 + f->s[1] * s2, f->c[2] * c3 + f->s[2] * s3,
+                         f->c[3] * c4 + f->s[3] * s4, f->s[0] * c1 - f->c[0] * s1, f->s[1] * c2 - f->c[1] * s2,
+                         f->s[2] * c3 - f->c[2] * s3, f->s[3] * c4 - f->c[3] * s4};
+  return h;
+}
+
+static Jet jet_at(const Harmonics* f, Rotor at) {
+  const HarmonicsAt h = harmonics_at(f, at);
+  const Jet jet = {((f->one + h.v1) + h.v2) + (h.v3 + h.v4), (h.d1 + 2 * h.d2) + (3 * h.d3 + 4 * h.d4),
+                   -((h.v1 + 4 * h.v2) + (9 * h.v3 + 16 * h.v4)), -((h.d1 + 8 * h.d2) + (27 * h.d3 + 64 * h.d4))};
   return jet;
 }
 
-/// Bound of the third derivative.
-static double third_bound(const Harmonics* f) {
+/// Jets at a place and across the circle from it: there odd harmonics change their signs.
+static void jets_across(const Harmonics* f, Rotor at, Jet* here, Jet* across) {
+  const HarmonicsAt h = harmonics_at(f, at);
+  const double even[4] = {f->one + (h.v2 + h.v4), 2 * h.d2 + 4 * h.d4, -4 * h.v2 - 16 * h.v4, -8 * h.d2 - 64 * h.d4};
+  const double odd[4] = {h.v1 + h.v3, h.d1 + 3 * h.d3, -h.v1 - 9 * h.v3, -h.d1 - 27 * h.d3};
+  here->value = even[0] + odd[0];
+  here->slope = even[1] + odd[1];
+  here->curvature = even[2] + odd[2];
+  here->third = even[3] + odd[3];
+  across->value = even[0] - odd[0];
+  across->slope = even[1] - odd[1];
+  across->curvature = even[2] - odd[2];
+  across->third = even[3] - odd[3];
+}
+
+/// Bound of the fourth derivative.
+static double fourth_bound(const Harmonics* f) {
   double sum = 0;
-  for (int k = 0; k < 4; ++k) sum += (k + 1) * (k + 1) * (k + 1) * sqrt(f->c[k] * f->c[k] + f->s[k] * f->s[k]);
+  for (int k = 0; k < 4; ++k)
+    sum += (k + 1) * (k + 1) * (k + 1) * (k + 1) * sqrt(f->c[k] * f->c[k] + f->s[k] * f->s[k]);
   return sum;
 }
 
@@ -120,7 +145,7 @@ static double third_bound(const Harmonics* f) {
 typedef struct TurnSearch {
   double e[2][9];
   Harmonics f;
-  double third, noise;
+  double fourth, noise;
   int most, visits;
   TurnPairs found;
 } TurnSearch;
@@ -242,12 +267,25 @@ static void take_close_roots(Rotor middle, Jet at, double half, TurnSearch* s) {
 /// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
 static bool has_no_root(Jet at, double h, const TurnSearch* s) {
   const double steep = fabs(at.slope), bend = at.value < 0 ? -at.curvature : at.curvature;
-  const double farthest = s->third * h * h * h / 6 + s->noise;
+  const double farthest = (fabs(at.third) + s->fourth * h / 4) * (h * h * h / 6) + s->noise;
   const double down = steep < bend * h ? steep * steep / (2 * bend) : (steep - bend * h / 2) * h;
   return fabs(at.value) - down > farthest;
 }
 
-enum { arc_depths = 9, most_arcs = 1500 };
+/// True if the slope changes by less than it is in the middle of the arc.
+static bool has_one_slope(Jet at, double h, const TurnSearch* s) {
+  const double bend = fabs(at.third) + s->fourth * h / 3;
+  return fabs(at.slope) > (fabs(at.curvature) + bend * h / 2) * h;
+}
+
+enum { arc_depths = 9, most_arcs = 1500, half_of_arcs = 8 };
+
+/// Cosine and sine of the middles of the first arcs from -pi to 0.
+static const double first_middles[half_of_arcs][2] = {
+    {-0.9807852804032304, -0.1950903220161286}, {-0.8314696123025453, -0.5555702330196022},
+    {-0.555570233019602, -0.8314696123025455},  {-0.1950903220161282, -0.9807852804032304},
+    {0.19509032201612833, -0.9807852804032304}, {0.5555702330196021, -0.8314696123025453},
+    {0.8314696123025453, -0.5555702330196021},  {0.9807852804032304, -0.19509032201612847}};
 
 /// Cosine and sine of a sixteenth of half a turn, of half of it, ...
 static const double arc_turns[arc_depths + 1][2] = {
@@ -257,21 +295,34 @@ static const double arc_turns[arc_depths + 1][2] = {
     {0.9999952938095762, 0.003067956762965976},  {0.9999988234517019, 0.0015339801862847655},
     {0.9999997058628822, 0.0007669903187427045}, {0.9999999264657179, 0.00038349518757139556}};
 
-/// Halves an arc until it has a verdict, at most `arc_depths` times.
-static void visit_arc(Rotor middle, double half, int depth, TurnSearch* s) {
+/// Halves an arc, whose middle has the jet `at`, until it has a verdict, at most `arc_depths` times.
+static void visit_arc(Rotor middle, Jet at, double half, int depth, TurnSearch* s) {
   if (++s->visits >= most_arcs) return;
-  const Jet at = jet_at(&s->f, middle);
   const double h = 1.0001 * half;
   if (has_no_root(at, h, s)) return;
-  if (fabs(at.slope) > (fabs(at.curvature) + s->third * h / 2) * h) {
+  if (has_one_slope(at, h, s)) {
     take_one_root(middle, at, half, s);
   } else if (depth > arc_depths) {
     take_close_roots(middle, at, half, s);
   } else {
     const Rotor turn = rotor(arc_turns[depth][0], arc_turns[depth][1]);
-    visit_arc(product(middle, inverse(turn)), half / 2, depth + 1, s);
-    visit_arc(product(middle, turn), half / 2, depth + 1, s);
+    const Rotor left = product(middle, inverse(turn)), right = product(middle, turn);
+    visit_arc(left, jet_at(&s->f, left), half / 2, depth + 1, s);
+    visit_arc(right, jet_at(&s->f, right), half / 2, depth + 1, s);
   }
+}
+
+/// Visits the first arcs: those whose middles are listed, then those across the circle.
+static void visit_first_arcs(TurnSearch* s) {
+  Jet across[half_of_arcs];
+  for (int i = 0; i < half_of_arcs; ++i) {
+    Jet here;
+    const Rotor middle = rotor(first_middles[i][0], first_middles[i][1]);
+    jets_across(&s->f, middle, &here, &across[i]);
+    visit_arc(middle, here, pi / 16, 1, s);
+  }
+  for (int i = 0; i < half_of_arcs; ++i)
+    visit_arc(rotor(-first_middles[i][0], -first_middles[i][1]), across[i], pi / 16, 1, s);
 }
 
 /// Sets an equation with its largest coefficient one; all zeros stay.
@@ -289,17 +340,12 @@ static TurnPairs two_turns(TwoTurnsEquation one, TwoTurnsEquation other, bool at
   set_equation(one, s.e[0]);
   set_equation(other, s.e[1]);
   s.f = eliminated_turn(s.e);
-  s.third = third_bound(&s.f);
-  s.noise = 32 * DBL_EPSILON * sqrt(s.third);
+  s.fourth = fourth_bound(&s.f);
+  s.noise = 32 * DBL_EPSILON * sqrt(s.fourth);
   s.most = at_most_six ? 6 : 8;
   s.visits = 0;
   s.found.count = 0;
-  const Rotor first = rotor(arc_turns[0][0], arc_turns[0][1]), next = product(first, first);
-  Rotor middle = rotor(-first.cosine, -first.sine);
-  for (int i = 0; i < 16; ++i) {
-    visit_arc(middle, pi / 16, 1, &s);
-    middle = product(middle, next);
-  }
+  visit_first_arcs(&s);
   if (s.visits < most_arcs) return s.found;
   const Rotor none = rotor(NAN, NAN);
   s.found.count = 1;
