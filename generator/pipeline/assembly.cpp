@@ -53,15 +53,38 @@ json tips_of(const model::Mechanism& mechanism, const std::vector<LimbInverse>& 
   return tips;
 }
 
+/// Other output of the robot, its language, and whether a C header for C++ is wanted.
+struct Surroundings {
+  bool has_dynamics, has_limbs, with_c;
+  Language language;
+  const std::vector<RobotOutput>& limbs;
+};
+
+/// True if a header in C of a robot declares a function.
+bool declares(const RobotOutput& output, const std::string& robot, const std::string& part,
+              const std::string& function) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const OutputFile& file) {
+    return file.path == "c/qvgen_" + robot + part + ".h" &&
+           file.content.find(" " + robot + "_" + function + "(") != std::string::npos;
+  });
+}
+
 /// How each tip is solved for its pose; what is missing is noted.
-std::vector<LimbInverse> inverses_of(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs,
+std::vector<LimbInverse> inverses_of(const model::Mechanism& mechanism, const Surroundings& has,
                                      const std::vector<PlannedVariant>& plans, RobotOutput& output) {
   std::vector<LimbInverse> list;
-  for (std::size_t i = 0; i < limbs.size(); ++i) {
-    list.push_back(limb_inverse(mechanism, i, limbs[i], plans));
+  for (std::size_t i = 0; i < has.limbs.size(); ++i) {
+    const std::string& tip = mechanism.tips[i].name;
+    const std::string function = "inverse_kinematics_of_" + tip;
+    list.push_back(limb_inverse(mechanism, i, has.limbs[i], plans));
     if (!list.back().lack.empty())
-      output.missing.push_back(
-          {"inverse_kinematics_of_" + mechanism.tips[i].name, Missing::Kind::not_derived, list.back().lack});
+      output.missing.push_back({function, Missing::Kind::not_derived, list.back().lack});
+    const std::string limb = mechanism.robot.name + "_" + tip;
+    if (list.back().function.empty() || has.language == Language::cxx ||
+        declares(has.limbs[i], limb, "_inverse", "inverse_kinematics"))
+      continue;
+    list.back() = {};
+    output.missing.push_back({function, Missing::Kind::not_in_language, "the limb's is written in C++"});
   }
   return list;
 }
@@ -124,19 +147,11 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
   }
 }
 
-/// Other output of the robot, its language, and whether a C header for C++ is wanted.
-struct Surroundings {
-  bool has_dynamics, has_limbs, with_c;
-  Language language;
-  const std::vector<RobotOutput>& limbs;
-};
-
 /// Values of all templates. Adds what is missing to the output.
 json values_of(const model::Mechanism& mechanism, const Surroundings& has,
                const std::vector<PlannedVariant>& plans, RobotOutput& output) {
   const model::Loops& loops = mechanism.loops;
   const std::vector<std::size_t> passive = passive_joints(mechanism);
-  const bool in_cxx = has.language == Language::cxx;
   json values{{"name", mechanism.robot.name},
               {"dof", mechanism.robot.joints.size()},
               {"driven_count", loops.actuated.size()},
@@ -146,8 +161,7 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
               {"passive", commas(passive)},
               {"has_dynamics", has.has_dynamics},
               {"has_limbs", has.has_limbs},
-              {"tips", tips_of(mechanism, in_cxx ? inverses_of(mechanism, has.limbs, plans, output)
-                                                 : std::vector<LimbInverse>{})},
+              {"tips", tips_of(mechanism, inverses_of(mechanism, has, plans, output))},
               {"enough", closed_gap(mechanism)},
               {"in_c", false},
               {"missing", false}};
@@ -167,15 +181,6 @@ void add_cxx(const std::string& name, bool with_c, const json& values, RobotOutp
   output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
 }
 
-/// Notes the inverse kinematics of tips, which C has not.
-void note_missing_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
-                       const std::vector<RobotOutput>& limbs, RobotOutput& output) {
-  for (std::size_t i = 0; i < limbs.size(); ++i)
-    if (!limb_inverse(mechanism, i, limbs[i], plans).function.empty())
-      output.missing.push_back({"inverse_kinematics_of_" + mechanism.tips[i].name,
-                                Missing::Kind::not_in_language, "it is written in C++"});
-}
-
 void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
   check_number_of_motors(mechanism);
   const std::string& name = mechanism.robot.name;
@@ -185,15 +190,6 @@ void generate_assembly(const model::Mechanism& mechanism, const Surroundings& ha
   const emit::c::Part part = loops_in_c(mechanism, plans, first_found(plans), values);
   output.files.push_back({"c/qvgen_" + name + "_loops.h", part.header});
   output.files.push_back({"c/qvgen_" + name + "_loops.c", part.source});
-  note_missing_in_c(mechanism, plans, has.limbs, output);
-}
-
-/// True if the C of a robot declares a function.
-bool declares(const RobotOutput& output, const std::string& robot, const std::string& function) {
-  return std::any_of(output.files.begin(), output.files.end(), [&](const OutputFile& file) {
-    return file.path == "c/qvgen_" + robot + ".h" &&
-           file.content.find(" " + robot + "_" + function + "(") != std::string::npos;
-  });
 }
 
 Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs,
@@ -207,9 +203,9 @@ Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vecto
   bool has_limbs = !limbs.empty();
   for (std::size_t i = 0; i < limbs.size(); ++i)
     for (const char* function : {"forward_kinematics", "jacobian"})
-      has_limbs = has_limbs && declares(limbs[i], name + "_" + mechanism.tips[i].name, function);
+      has_limbs = has_limbs && declares(limbs[i], name + "_" + mechanism.tips[i].name, "", function);
   const bool has_dynamics =
-      declares(output, name, "inverse_dynamics") && declares(output, name, "mass_matrix");
+      declares(output, name, "", "inverse_dynamics") && declares(output, name, "", "mass_matrix");
   return {has_dynamics, has_limbs, with_c, language, limbs};
 }
 

@@ -20,7 +20,8 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
 /// Adds `assembly.h` and its source, or in C `qvgen_ROBOT_loops.h` and its source, to the output of a robot
 /// with loops, or what is missing of it. The functions of dynamics and of tips are there if the output has
-/// what they call, the inverse kinematics of tips if their `limbs` have theirs. `with_c`: a header of C for the C++, too.
+/// what they call, the inverse kinematics of tips if their `limbs` have theirs. `with_c`: a header of C for
+/// the C++, too.
 void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
                   bool with_c, RobotOutput& output);
 

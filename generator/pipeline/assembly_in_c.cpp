@@ -21,17 +21,39 @@ void add_kinds(const model::Robot& robot, json& values) {
   values["kinds"] = commas(kinds);
 }
 
-/// Adds the ways in C, and the most rows of any.
+/// Adds the ways in C.
 void add_variants_in_c(const std::vector<PlannedVariant>& plans, const json& cpp, json& values) {
   values["variants"] = json::array();
-  int capacity = 1;
   std::size_t next = 0;
   for (const PlannedVariant& each : plans) {
-    if (!each.assembly.found) continue;
-    values["variants"].push_back(variant_in_c(each.variant, each.assembly, cpp["variants"][next++]));
-    capacity = std::max(capacity, each.assembly.plan.capacity);
+    if (each.assembly.found)
+      values["variants"].push_back(variant_in_c(each.variant, each.assembly, cpp["variants"][next++]));
   }
-  values["most_capacity"] = capacity;
+}
+
+int capacity_of(const std::vector<PlannedVariant>& plans, const std::string& function) {
+  for (const PlannedVariant& each : plans)
+    if (each.variant.function == function) return each.assembly.plan.capacity;
+  return 1;
+}
+
+/// Adds the most rows of any way, an expression of constants: limbs have as many solutions as their headers
+/// say.
+void add_capacity(const std::vector<PlannedVariant>& plans, json& values) {
+  int capacity = 1;
+  for (const PlannedVariant& each : plans)
+    if (each.assembly.found) capacity = std::max(capacity, each.assembly.plan.capacity);
+  std::string most = std::to_string(capacity);
+  for (json& tip : values["tips"]) {
+    if (tip["inverse"] == false) continue;
+    const int ways = capacity_of(plans, tip["inverse"]["function"]);
+    tip["inverse"]["most"] = ways;
+    const std::string all = fmt::format("{}_{}_solutions_capacity * {}", values["name"].get<std::string>(),
+                                        tip["tip"].get<std::string>(), ways);
+    most = fmt::format("({0} > {1} ? {0} : {1})", all, most);
+    values["has_inverse"] = true;
+  }
+  values["most_capacity"] = most;
 }
 
 /// Adds to each tip the joints of its limb, each with the joint of the robot that gives its value.
@@ -58,11 +80,13 @@ emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<Pl
   add_joints_of_tips(mechanism, values["tips"]);
   add_constraints_in_c(first, values);
   values["in_c"] = true;
+  values["has_inverse"] = false;
   values["has_parameters"] = !mechanism.robot.geometry.empty();
   values["has_inertias"] = !mechanism.robot.inertia_parameters.empty();
   values["system_size"] =
       std::max(values["passive_count"].get<std::size_t>(), values["driven_count"].get<std::size_t>());
   if (!values["has_limbs"]) values["tips"] = json::array();
+  add_capacity(plans, values);
   return {emit::render("c/assembly.h", values), emit::c::loops(values)};
 }
 

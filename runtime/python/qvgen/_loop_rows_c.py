@@ -25,7 +25,7 @@ SET = """QVGEN_ROWS ptrdiff_t rows_{name}_in_c(const qvgen_call* c) {{
     int free_joints[c->capacity], meets[c->capacity];
     const ptrdiff_t at = k * c->capacity;
     int* count = (int*)c->results[3] + k;
-    *count = {robot}_{name}(row(c, 0, k), c->flags[0] ? row(c, 1, k) : NULL, c->geometry, (int)c->capacity, result(c, 0, at, {dof}),
+    *count = {robot}_{name}({target}, c->flags[0] ? row(c, 1, k) : NULL, c->geometry, (int)c->capacity, result(c, 0, at, {dof}),
         (int*)c->results[1] + at, free_joints, meets, (int*)c->results[4] + k);
     for (int i = 0; i < *count; ++i) {{
       ((unsigned char*)c->results[2])[at + i] = (unsigned char)free_joints[i];
@@ -69,7 +69,8 @@ def loop_rows_in_c(robot, text, numbers):
     code = f'#include "qvgen_{robot}_loops.h"\n'
     for name in names:
         if given_of(name):
-            code += SET.format(robot=robot, name=name, dof=numbers["dof"])
+            target = "row(c, 0, k), row(c, 0, k) + 4" if given_of(name) == "pose" else "row(c, 0, k)"
+            code += SET.format(robot=robot, name=name, dof=numbers["dof"], target=target)
         elif name == "follow":
             code += FOLLOW.format(robot=robot, dof=numbers["dof"])
         else:

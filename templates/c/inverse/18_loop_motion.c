@@ -24,7 +24,7 @@ static void bring_pivot_to(LoopSystem* s, int k) {
 static void factor_system(LoopSystem* s, int size) {
   s->size = size;
   s->sign = 1;
-  for (int i = 0; i < size; ++i) s->order[i] = i;
+  for (int i = 0; i < system_size; ++i) s->order[i] = i;
   for (int k = 0; k < size; ++k) {
     bring_pivot_to(s, k);
     const double* pivots = s->rows[s->order[k]];
