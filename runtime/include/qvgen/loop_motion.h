@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <qvgen/assembly.h>
 #include <qvgen/detail/linear_system.h>
+#include <qvgen/inverse/tolerances.h>
 #include <qvgen/limb.h>
 
 namespace qvgen {
@@ -85,7 +86,7 @@ Eigen::Matrix<double, rows, 1> loop_forces(const Eigen::Matrix<double, rows, dof
 template <int rows, int dof, std::size_t count>
 double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
   const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
-  const double least = 1e-6 * jacobian.norm();
+  const double least = inverse::tolerance::least_row * jacobian.norm();
   double lengths = 1;
   for (int i = 0; i < rows; ++i) lengths *= std::max(jacobian.row(i).norm(), least);
   return lengths > 0 ? std::abs(detail::LinearSystem<rows>(part).determinant()) / lengths : 0;

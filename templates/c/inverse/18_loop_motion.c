@@ -68,21 +68,26 @@ static void solve_transposed_system(const LoopSystem* s, const double* right, do
   for (int i = 0; i < s->size; ++i) x[s->order[i]] = y[i];
 }
 
+/// Derivative of the loops' equations by all joints.
+typedef struct LoopJacobian {
+  double rows[passive_count][dof];
+} LoopJacobian;
+
 /// Factors the columns of some joints of the loops' equations.
-static void factor_loops(double (*jacobian)[dof], const int* joints, LoopSystem* s) {
+static void factor_loops(const LoopJacobian* jacobian, const int* joints, LoopSystem* s) {
   for (int i = 0; i < passive_count; ++i)
-    for (int k = 0; k < passive_count; ++k) s->rows[i][k] = jacobian[i][joints[k]];
+    for (int k = 0; k < passive_count; ++k) s->rows[i][k] = jacobian->rows[i][joints[k]];
   factor_system(s, passive_count);
 }
 
 /// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given.
-static double loop_measure(double (*jacobian)[dof], const int* held) {
+static double loop_measure(const LoopJacobian* jacobian, const int* held) {
   double squares[passive_count], sum = 0, lengths = 1;
   for (int i = 0; i < passive_count; ++i) {
-    squares[i] = sum_of_squares(jacobian[i], dof);
+    squares[i] = sum_of_squares(jacobian->rows[i], dof);
     sum += squares[i];
   }
-  const double least = 1e-6 * sqrt(sum);
+  const double least = tolerance_least_row * sqrt(sum);
   for (int i = 0; i < passive_count; ++i) lengths *= larger(sqrt(squares[i]), least);
   LoopSystem s;
   factor_loops(jacobian, held, &s);

@@ -75,17 +75,17 @@ static Harmonics product_of_waves(Wave a, Wave b) {
   return f;
 }
 
-/// The second angle eliminated.
-static Harmonics eliminated_turn(double (*e)[9]) {
+/// The second angle eliminated from two equations.
+static Harmonics eliminated_turn(const double* one, const double* other) {
   Harmonics sum = {0, {0, 0, 0, 0}, {0, 0, 0, 0}};
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    Harmonics f = product_of_waves(wave_of_first(e[0], i), wave_of_first(e[1], j));
-    const Harmonics other = product_of_waves(wave_of_first(e[0], j), wave_of_first(e[1], i));
-    f.one -= other.one;
+    Harmonics f = product_of_waves(wave_of_first(one, i), wave_of_first(other, j));
+    const Harmonics crossed = product_of_waves(wave_of_first(one, j), wave_of_first(other, i));
+    f.one -= crossed.one;
     for (int n = 0; n < 2; ++n) {
-      f.c[n] -= other.c[n];
-      f.s[n] -= other.s[n];
+      f.c[n] -= crossed.c[n];
+      f.s[n] -= crossed.s[n];
     }
     add_square(k == 0 ? -1.0 : 1.0, &f, &sum);
   }
@@ -162,9 +162,9 @@ static double turns_apart(Rotor a, Rotor b) { return fabs(a.cosine - b.cosine) +
 /// Keeps a solution, but for one that is there: as near as rounding may have moved it.
 static void keep_turns(Rotor u, Rotor v, double apart, TurnSearch* s) {
   for (int i = 0; i < 2; ++i)
-    if (!(fabs(wave_at(wave_of_second(s->e[i], u), v)) < 4e3 * DBL_EPSILON)) return;
-  const double least = 1e-9, moved = 450 * DBL_EPSILON;
-  const double same = apart < 1e6 * moved ? 1e-6 : moved < least * apart ? least : moved / apart;
+    if (!(fabs(wave_at(wave_of_second(s->e[i], u), v)) < tolerance_equation_rounding * DBL_EPSILON)) return;
+  const double least = tolerance_same_turn, most = tolerance_same_turn_at_most, moved = tolerance_turn_rounding * DBL_EPSILON;
+  const double same = most * apart < moved ? most : moved < least * apart ? least : moved / apart;
   TurnPairs* found = &s->found;
   for (int i = 0; i < found->count; ++i)
     if (turns_apart(found->root[i].first, u) < same && turns_apart(found->root[i].second, v) < same) return;
@@ -172,13 +172,13 @@ static void keep_turns(Rotor u, Rotor v, double apart, TurnSearch* s) {
   TurnPair* pair = &found->root[found->count++];
   pair->first = u;
   pair->second = v;
-  pair->meets = apart < 3e-6;
+  pair->meets = apart < tolerance_curves_meet;
 }
 
 /// Newton's steps from a candidate; keeps where they end if both equations hold there.
 static void take_turns(Rotor at, Rotor with, TurnSearch* s) {
   Rotor u = unit_turn(at), v = unit_turn(with);
-  double last = 1e6, apart = 1;  // apart: 0 where both equations' curves touch
+  double last = 64, apart = 1;  // more than any gap; 0 where both equations' curves touch
   for (int step = 0; step < 40; ++step) {
     const Wave a = wave_of_second(s->e[0], u), b = wave_of_second(s->e[1], u);
     const double gap_a = wave_at(a, v), gap_b = wave_at(b, v), gap = fabs(gap_a) + fabs(gap_b);
@@ -190,10 +190,10 @@ static void take_turns(Rotor at, Rotor with, TurnSearch* s) {
     // Further steps would follow rounding alone: solutions meet here.
     if (gap < 64 * DBL_EPSILON && !(gap < 0.5 * last)) break;
     last = gap;
-    if (!(apart > 1e-12)) break;
+    if (!(apart > tolerance_curves_touch)) break;
     double du = (a_v * gap_b - b_v * gap_a) / determinant, dv = (b_u * gap_a - a_u * gap_b) / determinant;
     const double longest = larger(fabs(du), fabs(dv));
-    if (!(longest < 1e100)) return;
+    if (!(longest < tolerance_lost_turn)) return;
     if (longest > 0.3) {
       du = du * 0.3 / longest;
       dv = dv * 0.3 / longest;
@@ -209,7 +209,7 @@ static void take_turns(Rotor at, Rotor with, TurnSearch* s) {
 static bool take_common_turn(Rotor u, TurnSearch* s) {
   const Wave common = crossed_waves(wave_of_second(s->e[0], u), wave_of_second(s->e[1], u));
   const double square = common.c * common.c + common.s * common.s;
-  if (!(square > 1e-14)) return false;
+  if (!(square > tolerance_common_wave)) return false;
   take_turns(u, scaled(with_sign(1 / sqrt(square), common.one), rotor(common.c, common.s)), s);
   return true;
 }
@@ -220,7 +220,7 @@ static void take_both_turns(Rotor u, TurnSearch* s) {
   const double square_a = a.c * a.c + a.s * a.s, square_b = b.c * b.c + b.s * b.s;
   const Wave wave = square_a < square_b ? b : a;
   const double square = larger(square_a, square_b);
-  if (!(square > 1e-20)) return;
+  if (!(square > tolerance_flat_wave)) return;
   const double foot = -wave.one / square, height_square = 1 / square - foot * foot;
   const double height = height_square > 0 ? sqrt(height_square) : 0;
   take_turns(u, unit_turn(rotor(foot * wave.c - height * wave.s, foot * wave.s + height * wave.c)), s);
@@ -242,7 +242,7 @@ static void take_one_root(Rotor middle, Jet at, double half, TurnSearch* s) {
       if (fabs(from) == 1.01 * half) return;  // the root is outside
       to = with_sign(1.01 * half, to);
     }
-    const bool is_still = fabs(to - from) < 1e-5;
+    const bool is_still = fabs(to - from) < tolerance_next_to_root;
     from = to;
     u = turned_a_little(middle, from);
     if (is_still) break;
@@ -339,7 +339,7 @@ static TurnPairs two_turns(TwoTurnsEquation one, TwoTurnsEquation other, bool at
   TurnSearch s;
   set_equation(one, s.e[0]);
   set_equation(other, s.e[1]);
-  s.f = eliminated_turn(s.e);
+  s.f = eliminated_turn(s.e[0], s.e[1]);
   s.fourth = fourth_bound(&s.f);
   s.noise = 32 * DBL_EPSILON * sqrt(s.fourth);
   s.most = at_most_six ? 6 : 8;

@@ -190,6 +190,34 @@ inline constexpr double leaning = digits(1e-12);
 /// The square of the least part of a tool's direction across the axis that pitches it.
 inline constexpr double pitched = digits(1e-20);
 
+// Two coupled turns, by two equations whose largest coefficients are one.
+
+/// The square of what tells the angle that two waves have in common.
+inline constexpr double common_wave = digits(1e-14);
+/// The square of a wave that has no angle.
+inline constexpr double flat_wave = digits(1e-20);
+/// Curves of both equations touch, as a share of their slopes: Newton's steps end.
+inline constexpr double curves_touch = digits(1e-12);
+/// Solutions meet, by the same share: half the digits, and some.
+inline constexpr double curves_meet = digits(3e-6);
+/// A step so long leads nowhere, rad.
+inline constexpr double lost_turn = range(1e100);
+/// An equation holds, in epsilons.
+inline constexpr double equation_rounding = 4e3;
+/// Rounding moves a solution, in epsilons, where curves cross at right angles.
+inline constexpr double turn_rounding = 450;
+/// Two solutions nearer than this are one: at least, and at most where curves touch.
+inline constexpr double same_turn = digits(1e-9);
+inline constexpr double same_turn_at_most = digits(1e-6);
+/// The root of an arc's polynomial is near enough for Newton's steps on the equations, rad.
+inline constexpr double next_to_root = digits(1e-5);
+
+// Loops.
+
+/// The least length of a row of the loops' Jacobian, as a share of the whole: less is rounding next to the
+/// others.
+inline constexpr double least_row = digits(1e-6);
+
 // Rows next to a seed. Distances are squared angles and lengths.
 
 /// The way along the seed's branch leads to the nearest of all rows, if that is no farther: 0.3 rad.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <qvgen/inverse/tolerances.h>
 #include <qvgen/inverse/two_turns_polynomial.h>
 
 namespace qvgen::inverse {
@@ -43,7 +44,7 @@ class Solutions {
     using std::sqrt;
     const Wave<Scalar> common = cross(of_second(e_.rows[0], u), of_second(e_.rows[1], u));
     const Scalar square = common.c * common.c + common.s * common.s;
-    if (!(square > Scalar(1e-14))) return false;
+    if (!(square > Scalar(tolerance::common_wave))) return false;
     const Scalar scale = with_sign(Scalar(Scalar(1) / sqrt(square)), common.one);
     return take(u, {scale * common.c, scale * common.s});
   }
@@ -54,7 +55,7 @@ class Solutions {
     const Scalar square_a = a.c * a.c + a.s * a.s, square_b = b.c * b.c + b.s * b.s;
     const Wave<Scalar>& wave = square_a < square_b ? b : a;
     const Scalar square = square_a < square_b ? square_b : square_a;
-    if (!(square > Scalar(1e-20))) return;
+    if (!(square > Scalar(tolerance::flat_wave))) return;
     const Scalar foot = -wave.one / square, height_square = Scalar(1) / square - foot * foot;
     const Scalar height = height_square > Scalar(0) ? Scalar(sqrt(height_square)) : Scalar(0);
     take(u, normalised({foot * wave.c - height * wave.s, foot * wave.s + height * wave.c}));
@@ -75,7 +76,7 @@ class Solutions {
   bool take(const Rotor<Scalar>& at, const Rotor<Scalar>& with) {
     Rotor<Scalar> u = normalised(at), v = normalised(with);
     const Scalar still = Scalar(2) * epsilon<Scalar>(), rounding = Scalar(64) * epsilon<Scalar>(), most(0.3);
-    Scalar last(1e6);
+    Scalar last(64);  // more than any gap
     Scalar apart(1);  // 0 where both equations' curves touch
     for (int step = 0; step < 40; ++step) {
       const Wave<Scalar> a = of_second(e_.rows[0], u), b = of_second(e_.rows[1], u);
@@ -89,10 +90,10 @@ class Solutions {
       const Scalar gap = magnitude(gap_a) + magnitude(gap_b);
       if (gap < rounding && !(gap < Scalar(0.5) * last)) break;
       last = gap;
-      if (!(apart > Scalar(1e-12))) break;
+      if (!(apart > Scalar(tolerance::curves_touch))) break;
       Scalar du = (a_v * gap_b - b_v * gap_a) / determinant, dv = (b_u * gap_a - a_u * gap_b) / determinant;
       const Scalar longest = magnitude(du) < magnitude(dv) ? magnitude(dv) : magnitude(du);
-      if (!(longest < Scalar(1e100))) return false;
+      if (!(longest < Scalar(tolerance::lost_turn))) return false;
       if (longest > most) {
         du = du * most / longest;
         dv = dv * most / longest;
@@ -106,14 +107,13 @@ class Solutions {
 
   /// Keeps a solution, but for one that is there: as near as rounding may have moved it.
   bool keep(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& apart) {
-    const Scalar enough = Scalar(4e3) * epsilon<Scalar>();
+    const Scalar enough = Scalar(tolerance::equation_rounding) * epsilon<Scalar>();
     for (const auto& m : e_.rows)
       if (!(magnitude(dot(of_second(m, u), v)) < enough)) return false;
-    const bool meets = apart < Scalar(3e-6);
-    const Scalar least(1e-9), moved = Scalar(450) * epsilon<Scalar>();
-    const Scalar same = apart < Scalar(1e6) * moved ? Scalar(1e-6)
-                        : moved < least * apart     ? least
-                                                    : Scalar(moved / apart);
+    const bool meets = apart < Scalar(tolerance::curves_meet);
+    const Scalar least(tolerance::same_turn), most(tolerance::same_turn_at_most);
+    const Scalar moved = Scalar(tolerance::turn_rounding) * epsilon<Scalar>();
+    const Scalar same = most * apart < moved ? most : moved < least * apart ? least : Scalar(moved / apart);
     for (int i = 0; i < found_.count; ++i) {
       const TurnPair<Scalar>& other = found_.root[static_cast<std::size_t>(i)];
       if (distance(other.first, u) < same && distance(other.second, v) < same) return true;
@@ -222,7 +222,7 @@ class Circle {
         if (magnitude(from) == Scalar(1.01 * half)) return;  // the root is outside
         to = with_sign(Scalar(1.01 * half), to);
       }
-      const bool is_still = magnitude(to - from) < Scalar(1e-5);
+      const bool is_still = magnitude(to - from) < Scalar(tolerance::next_to_root);
       from = to;
       u = turned_by(middle, from);
       if (is_still) break;
