@@ -209,7 +209,7 @@ Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vecto
   return {has_dynamics, has_limbs, with_c, language, limbs};
 }
 
-/// Says why there are no loops in a language; empty if there are.
+/// Says why a language has no code of loops, or nothing.
 std::string lack_of_loops(Language language) {
   if (language == Language::c_in_float) return "it is made in double";
   return lack_of(row_of(language), "assembly");

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "axes.h"
 #include "cut_arms.h"
 #include "directed_arms.h"
 #include "five_arms.h"
@@ -22,30 +23,6 @@
 
 namespace qvgen::test {
 namespace {
-
-using Axis = std::array<int, 4>;  ///< x, y, z over a denominator: a unit vector
-
-constexpr std::array<Axis, 14> axes{{{1, 0, 0, 1},
-                                     {0, 1, 0, 1},
-                                     {0, 0, 1, 1},
-                                     {-1, 0, 0, 1},
-                                     {0, -1, 0, 1},
-                                     {0, 0, -1, 1},
-                                     {3, 0, 4, 5},
-                                     {0, -5, 12, 13},
-                                     {8, 15, 0, 17},
-                                     {2, -3, 6, 7},
-                                     {-1, 2, 2, 3},
-                                     {4, 4, -7, 9},
-                                     {6, 2, 3, 7},
-                                     {-4, 3, 0, 5}}};
-constexpr int along_coordinates = 6;
-
-bool parallel(const Axis& a, const Axis& b) {
-  return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
-}
-
-bool is_across(const Axis& a, const Axis& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] == 0; }
 
 class Writer {
  public:
@@ -171,7 +148,7 @@ class Writer {
     Axis roll = common;
     while (count > 4 && parallel(roll, common)) roll = axis();
     std::vector<Axis> across;
-    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
+    std::copy_if(unit_axes.begin(), unit_axes.end(), std::back_inserter(across),
                  [&](const Axis& each) { return is_across(each, common); });
     const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
     std::string joints;
@@ -208,7 +185,8 @@ class Writer {
 
   Axis axis() {
     const bool oblique = below(3) == 0;
-    return axes[static_cast<std::size_t>(oblique ? along_coordinates + below(8) : below(along_coordinates))];
+    return unit_axes[static_cast<std::size_t>(oblique ? along_coordinates + below(8)
+                                                      : below(along_coordinates))];
   }
 
   static std::string vector(const std::array<std::string, 3>& v) {
