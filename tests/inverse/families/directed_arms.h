@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string>
+
+#include "built_arms.h"
 
 namespace qvgen::test {
 
@@ -10,20 +11,8 @@ namespace qvgen::test {
 /// one, and the description without name and title.
 struct DirectedArm {
   int given;
-  const char* keys;  ///< what is asked for, and all else if there is no more
-  const char* links = "";
-  const char* frames = "";
+  BuiltArm arm;
 };
-
-/// An arm with a spherical wrist.
-inline constexpr const char* wrist_arm = R"toml(convention = "standard"
-dh = [{ theta = "q1", variable = "q1", d = 0.4, a = 0.025, alpha = "-90 deg" },
-      { theta = "q2", variable = "q2", a = 0.56 },
-      { theta = "q3", variable = "q3", a = 0.035, alpha = "-90 deg" },
-      { theta = "q4", variable = "q4", d = 0.515, alpha = "90 deg" },
-      { theta = "q5", variable = "q5", alpha = "-90 deg" },
-      { theta = "q6", variable = "q6", d = 0.08 }]
-)toml";
 
 inline constexpr std::array<DirectedArm, 6> directed_arms{
     {// A spherical wrist; the last joint turns about the tool's axis, so that its value does not matter.
@@ -51,13 +40,8 @@ joint = [{ type = "prismatic", axis = "+y", variable = "q1" },
          { type = "revolute", axis = "+y", variable = "q4", link = [0.25, 0.02, 0] },
          { type = "revolute", axis = "+y", variable = "q5", link = [0.1, 0, 0] },
          { type = "revolute", axis = "+x", variable = "q6", link = [0.05, 0, 0] }]
-[base]
-translation = [0.1, 0.2, 0.3]
-rpy = ["33 deg", "-12 deg", "41 deg"]
-[tool]
-translation = [0.01, 0.02, 0.1]
-rpy = [0.2, "20 deg", "30 deg"]
-)toml"},
+)toml",
+      "", turned_frames},
      // A slide in the middle, given, in symbols.
      {2, R"toml(tool_axis = "+x"
 given = "q3"
@@ -81,7 +65,5 @@ joint = [{ type = "revolute", axis = "+z", variable = "q1", link = [0.1, 0.05, 0
          { type = "revolute", axis = "+x", variable = "q5", link = [0.08, 0.05, 0.1] },
          { type = "revolute", axis = "+y", variable = "q6", link = [0.05, 0.02, 0.09] }]
 )toml"}}};
-
-inline std::string text_of(const DirectedArm& arm) { return std::string(arm.keys) + arm.links + arm.frames; }
 
 }  // namespace qvgen::test

@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Arms that are asked for a position and an inclination, generated and compiled: every solution, in C++ and
 // in C. The reference has its own equations: the first axis in the tool's frame, by forward kinematics.
-#include "robot_in_c.h"
-#include "written_arm.h"
+#include "part_of_a_pose.h"
 
 namespace qvgen::test {
 namespace {
 
-class Inclination : public WrittenArm {
+class Inclination : public PartOfAPose {
  protected:
-  /// The rows of a position and an inclination, in both languages, are those of the pose that was sampled.
-  void expect_rows_of_pose(const Eigen::VectorXd& q) {
-    const Sample sample = sample_at(test(), q);
-    const double given = test().given(q);
+  void expect_rows_of_position_and_inclination(const Eigen::VectorXd& q) {
     const Eigen::Vector3d up = test().base_seen(q, test().tool(q));
-    const Found by_pose = test().robot().solve(sample.pose, given, inverse::default_tolerance);
-    const Found found = GetParam().functions.solve_inclination(sample.pose.position, up, given);
-    const Verdict verdict = judge(test(), sample, found);
-    EXPECT_EQ(verdict.fault, "") << q.transpose();
-    EXPECT_EQ(found.rows.size(), by_pose.rows.size()) << q.transpose();
-    const auto in_c = inverses_in_c().find(GetParam().name);
-    ASSERT_NE(in_c, inverses_in_c().end());
-    const Found rows = in_c->second.solve_inclination(sample.pose.position, up, given);
-    ASSERT_EQ(rows.rows.size(), found.rows.size());
-    for (std::size_t i = 0; i < rows.rows.size(); ++i)
-      EXPECT_LT(test().distance(rows.rows[i].q, found.rows[i].q), 1e-9);
+    const double given = test().given(q);
+    expect_rows_of_pose(q, [&](const InverseFunctions& functions, const Sample& sample) {
+      return functions.solve_inclination(sample.pose.position, up, given);
+    });
   }
 
   /// Returns joints at which the axis of the roll is along the first axis, by the turn before the roll; none
@@ -54,7 +43,8 @@ TEST_P(Inclination, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed();
 TEST_P(Inclination, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 
 TEST_P(Inclination, IsTheFirstAxisAsTheToolSeesIt) {
-  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) expect_rows_of_pose(test().joints());
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i)
+    expect_rows_of_position_and_inclination(test().joints());
 }
 
 /// A gripper that points along the first axis and rolls about itself, up or down: the roll is free. If the

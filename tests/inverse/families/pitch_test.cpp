@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Arms that are asked for a position and a pitch, generated and compiled: every solution, in C++ and in C.
-#include "robot_in_c.h"
-#include "written_arm.h"
+#include "part_of_a_pose.h"
 
 namespace qvgen::test {
 namespace {
 
-class Pitch : public WrittenArm {
+class Pitch : public PartOfAPose {
  protected:
-  /// The rows of a position and a pitch, in both languages, are those of the pose that was sampled.
-  void expect_rows_of_pose(const Eigen::VectorXd& q) {
-    const Sample sample = sample_at(test(), q);
-    const double given = test().given(q), pitch = test().pitch(q);
-    const Found by_pose = test().robot().solve(sample.pose, given, inverse::default_tolerance);
-    const Found found = GetParam().functions.solve_pitch(sample.pose.position, pitch, given);
-    const Verdict verdict = judge(test(), sample, found);
-    EXPECT_EQ(verdict.fault, "");
-    EXPECT_EQ(found.rows.size(), by_pose.rows.size()) << q.transpose();
-    const auto in_c = inverses_in_c().find(GetParam().name);
-    ASSERT_NE(in_c, inverses_in_c().end());
-    const Found rows = in_c->second.solve_pitch(sample.pose.position, pitch, given);
-    ASSERT_EQ(rows.rows.size(), found.rows.size());
-    for (std::size_t i = 0; i < rows.rows.size(); ++i)
-      EXPECT_LT(test().distance(rows.rows[i].q, found.rows[i].q), 1e-9);
+  void expect_rows_of_position_and_pitch(const Eigen::VectorXd& q) {
+    const double pitch = test().pitch(q), given = test().given(q);
+    expect_rows_of_pose(q, [&](const InverseFunctions& functions, const Sample& sample) {
+      return functions.solve_pitch(sample.pose.position, pitch, given);
+    });
   }
 };
 
@@ -36,7 +25,8 @@ TEST_P(Pitch, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 TEST_P(Pitch, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 
 TEST_P(Pitch, APitchIsTheAngleBetweenTheAxes) {
-  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i) expect_rows_of_pose(test().joints());
+  for (int i = 0; i < pose_count() / 20 && !HasFailure(); ++i)
+    expect_rows_of_position_and_pitch(test().joints());
 }
 
 /// Straight down and up along the first axis, where the angle between the axes has its ends.
@@ -50,7 +40,7 @@ TEST_P(Pitch, AlongTheFirstAxis) {
     q[last] -= off;
     if (std::abs(std::sin(test().pitch(q))) > 1e-9) q[last] = before[last] + off;  // it turns the other way
     EXPECT_LT(std::abs(std::sin(test().pitch(q))), 1e-9);
-    expect_rows_of_pose(q);
+    expect_rows_of_position_and_pitch(q);
   }
 }
 
@@ -58,11 +48,9 @@ TEST_P(Pitch, WhatIsNoNumberIsInvalid) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(GetParam().functions.solve_pitch({0.1, 0.2, 0.3}, none, 0).status, Status::invalid);
   EXPECT_EQ(GetParam().functions.solve_pitch({none, 0.2, 0.3}, 0, 0).status, Status::invalid);
-  bool slides = false;
-  for (int i = 0; i < test().dof(); ++i) slides = slides || !test().revolute(i);
   const Found far = GetParam().functions.solve_pitch({1e6, 0.2, 0.3}, 0, 0);
   EXPECT_EQ(far.rows.empty(), far.status == Status::unreachable);
-  EXPECT_TRUE(slides || far.rows.empty());
+  EXPECT_TRUE(test().slides_besides_given() || far.rows.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Arms, Pitch, testing::ValuesIn(inverses()), name_of);

@@ -340,7 +340,7 @@ std::string fewer(const std::string& family, std::uint32_t seed) {
 template <class Arms>
 std::string built_or_random(const std::string& name, std::uint32_t seed, const Arms& arms,
                             const std::string& head, std::string (Writer::*random)()) {
-  if (seed < arms.size()) return "name = \"" + name + "\"\n" + head + arms[seed];
+  if (seed < arms.size()) return "name = \"" + name + "\"\n" + head + text_of({arms[seed]});
   Writer writer(name, seed);
   return (writer.*random)();
 }
@@ -367,7 +367,7 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "directed") {
     const std::string keys = "task = \"position_and_direction\"\n";
     return seed < directed_arms.size() ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys +
-                                             text_of(directed_arms[seed])
+                                             text_of(directed_arms[seed].arm)
                                        : Writer(name, seed).directed(keys);
   }
   if (family == "machines")
