@@ -161,7 +161,7 @@ Pose<double> pose_of(const PositionAndPitch<double>& task, const ArmAtZero<dof>&
   return {has_pitch ? turn * tool : Eigen::Quaterniond(0, 0, 0, 0), task.position};
 }
 
-/// Joints on which it depends where a heading is counted about.
+/// Joints that place the axis of the heading.
 struct HeadingJoints {
   int base;        ///< turns the whole arm
   int given = -1;  ///< the joint whose value the caller gives
