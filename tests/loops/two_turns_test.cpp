@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two equations linear in two unit vectors: every solution is there, against Newton's steps from many starts,
 // for random equations, symmetric ones and ones with double roots.
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -12,7 +13,7 @@
 namespace qvgen::test::loops {
 namespace {
 
-using Equation = inverse::TwoTurnsEquation<double>;
+using Equation = std::array<double, 9>;
 using Found = inverse::TurnPairs<double>;
 struct Pair {
   double u, v;
@@ -20,6 +21,13 @@ struct Pair {
 struct Value {
   double value, by_u, by_v;
 };
+
+inverse::TwoTurnsEquation<double> fields(const Equation& m) {
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
+}
+Found two_turns(const Equation& one, const Equation& other, bool at_most_six) {
+  return inverse::two_turns(fields(one), fields(other), at_most_six);
+}
 
 Value value_of(const Equation& m, const Pair& at) {
   const double a[3] = {1, std::cos(at.u), std::sin(at.u)}, b[3] = {1, std::cos(at.v), std::sin(at.v)};
@@ -78,7 +86,7 @@ class TwoTurns : public testing::Test {
 
   /// Compares with Newton's steps; returns how many solutions there are.
   int compare(const Equation& one, const Equation& other, int starts) {
-    const Found found = inverse::two_turns(one, other, false);
+    const Found found = two_turns(one, other, false);
     EXPECT_EQ(found.count % 2, 0) << "two closed curves cross an even number of times";
     for (int i = 0; i < found.count; ++i) {
       const Pair at = pair_of(found.root[static_cast<std::size_t>(i)]);
@@ -135,7 +143,7 @@ TEST_F(TwoTurns, MeetAtADeadCentre) {
     other[3] -= (factor * wanted.by_u - now.by_u) / std::sin(at.u);
     other[1] -= (factor * wanted.by_v - now.by_v) / std::sin(at.v);
     other[0] -= value_of(other, at).value;
-    const Found found = inverse::two_turns(one, other, false);
+    const Found found = two_turns(one, other, false);
     ASSERT_TRUE(has(found, at, 1e-5));
     for (int i = 0; i < found.count; ++i) {
       const auto& root = found.root[static_cast<std::size_t>(i)];
@@ -148,7 +156,7 @@ TEST_F(TwoTurns, MeetAtADeadCentre) {
     for (const int side : {0, 1}) {
       Equation moved = other;
       moved[0] += (side == 0 ? 1e-5 : -1e-5) * std::abs(factor);
-      const Found beside = inverse::two_turns(one, moved, false);
+      const Found beside = two_turns(one, moved, false);
       near[side] = 0;
       for (int i = 0; i < beside.count; ++i)
         near[side] += apart(pair_of(beside.root[static_cast<std::size_t>(i)]), at) < 0.05 ? 1 : 0;
@@ -160,10 +168,10 @@ TEST_F(TwoTurns, MeetAtADeadCentre) {
 
 TEST_F(TwoTurns, OfOneEquationTwiceAreLost) {
   const Equation m = equation();
-  const Found found = inverse::two_turns(m, m, false);
+  const Found found = two_turns(m, m, false);
   ASSERT_EQ(found.count, 1);
   EXPECT_TRUE(std::isnan(found.root[0].first.cosine));
-  EXPECT_EQ(inverse::two_turns(Equation{}, Equation{}, false).count, 1);
+  EXPECT_EQ(two_turns(Equation{}, Equation{}, false).count, 1);
 }
 
 TEST_F(TwoTurns, EndForNumbersThatAreNone) {
@@ -171,7 +179,7 @@ TEST_F(TwoTurns, EndForNumbersThatAreNone) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Equation m = equation();
     m[4] = bad;
-    const Found found = inverse::two_turns(m, equation(), true);
+    const Found found = two_turns(m, equation(), true);
     for (int i = 0; i < found.count; ++i) {
       EXPECT_TRUE(std::isnan(found.root[static_cast<std::size_t>(i)].first.cosine));
     }

@@ -21,17 +21,9 @@ constexpr std::size_t most_reported = 20;
 class UrdfTree {
  public:
   UrdfTree(Context& context, const Element& root) : context_(&context) {
-    const bool has_macros = root.attribute("xmlns:xacro") != nullptr;
-    for (const Element& child : root.children) {
+    if (has_macros(root)) return;
+    for (const Element& child : root.children)
       if (child.name == "link") add_link(child);
-      if (child.name.compare(0, 6, "xacro:") != 0) continue;
-      if (!has_macros)
-        context.warning(child.place, "<" + child.name + "> is left out, as by other readers",
-                        "macros need xmlns:xacro=\"http://ros.org/wiki/xacro\" in <robot>");
-      else
-        error(child.place, "<" + child.name + "> is a macro of xacro",
-              "install xacro, which is run then: pip install xacro");
-    }
     for (const Element& child : root.children)
       if (child.name == "joint") is_planar(child) ? add_planar(child) : add_joint(child);
     if (nodes.empty() && reported_ == 0)
@@ -45,6 +37,22 @@ class UrdfTree {
   [[nodiscard]] bool good() const { return reported_ == 0; }
 
  private:
+  /// True if xacro has not been run: links and joints are then left to its macros.
+  bool has_macros(const Element& root) {
+    const bool are_declared = root.attribute("xmlns:xacro") != nullptr;
+    for (const Element& child : root.children) {
+      if (child.name.compare(0, 6, "xacro:") != 0) continue;
+      if (are_declared) {
+        error(child.place, "<" + child.name + "> is a macro of xacro",
+              "install xacro, which is run then: pip install xacro");
+        return true;
+      }
+      context_->warning(child.place, "<" + child.name + "> is left out, as by other readers",
+                        "macros need xmlns:xacro=\"http://ros.org/wiki/xacro\" in <robot>");
+    }
+    return false;
+  }
+
   void error(Place place, const std::string& message, const std::string& hint) {
     if (++reported_ <= most_reported) context_->error(place, message, hint);
   }

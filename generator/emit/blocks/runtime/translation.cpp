@@ -65,8 +65,8 @@ void Translation::word() {
   }
   if (is("using")) return leave_out(next(";") + 1);
   if (is("if") && is("constexpr", 1)) return known_condition();
-  if (is("polynomial") && is(":", 1)) return leave_out(at_ + 3);
   if (is("static_cast") || is("std") || is("inline") || is("constexpr")) return qualifier();
+  if (is(":", 1) && is(":", 2)) return leave_out(at_ + 3);
   if (is("Scalar") || (is_capital(token.text) && is("<", 1) && is("Scalar", 2))) return type();
   if (is("Boundary")) return type();
   named();
@@ -184,8 +184,8 @@ void Translation::named() {
   } else if ((name == "digits" || name == "range") && in_[at_ + 2].kind == Kind::number) {
     put(name + "(" + text(at_ + 2) + ")", Kind::number);
     at_ += 4;
-  } else if (name == "epsilon" && is("<", 1)) {
-    put("DBL_EPSILON", Kind::name);
+  } else if ((name == "epsilon" || name == "not_a_number") && is("<", 1)) {
+    put(name == "epsilon" ? "DBL_EPSILON" : "NAN", Kind::name);
     at_ += 6;
   } else if (name == "any" && is("(", 1)) {
     leave_out(at_ + 1);

@@ -24,6 +24,12 @@ Scalar epsilon() {
   return ScalarTraits<Scalar>::epsilon();
 }
 
+/// Not a number, for types that have one.
+template <typename Scalar>
+Scalar not_a_number() {
+  return std::numeric_limits<Scalar>::quiet_NaN();
+}
+
 /// One of two values, for conditions that no processor can predict: a jump would cost more than both values.
 template <typename Scalar>
 Scalar select(bool condition, const Scalar& yes, const Scalar& no) {

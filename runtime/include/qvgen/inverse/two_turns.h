@@ -4,12 +4,11 @@
 // degree four in the other, so there are at most eight solutions. Its roots are isolated on the whole circle:
 // an arc without a root is proved to have none by bounds of the derivatives, a root is alone in an arc where
 // the slope has one sign. Short arcs without either verdict hold solutions that (nearly) meet. Newton's steps
-// on the two equations themselves decide about every candidate, so the elimination costs no digits.
+// on the two equations themselves decide about every candidate, so the elimination costs no digits. C reads
+// this text as well.
 #pragma once
 
 #include <array>
-#include <limits>
-#include <type_traits>
 
 #include <qvgen/inverse/tolerances.h>
 #include <qvgen/inverse/two_turns_polynomial.h>
@@ -33,237 +32,246 @@ struct TurnPairs {
 
 namespace two_turns_cases {
 
-/// Candidates, tried by Newton's steps on both equations, and the solutions among them, each once.
+/// Both equations, the polynomial that is left of them, and the solutions that have been found.
 template <typename Scalar>
-class Solutions {
- public:
-  Solutions(const TwoTurns<Scalar>& e, int most) : e_(e), most_(most) {}
-
-  /// Tries u with the v that both waves have in common, if they tell one.
-  bool take_common(const Rotor<Scalar>& u) {
-    using std::sqrt;
-    const Wave<Scalar> common = cross(of_second(e_.rows[0], u), of_second(e_.rows[1], u));
-    const Scalar square = common.c * common.c + common.s * common.s;
-    if (!(square > Scalar(tolerance::common_wave))) return false;
-    const Scalar scale = with_sign(Scalar(Scalar(1) / sqrt(square)), common.one);
-    return take(u, {scale * common.c, scale * common.s});
-  }
-  /// Tries u with both v at which the longer wave vanishes: where the waves are (nearly) the same.
-  void take_both(const Rotor<Scalar>& u) {
-    using std::sqrt;
-    const Wave<Scalar> a = of_second(e_.rows[0], u), b = of_second(e_.rows[1], u);
-    const Scalar square_a = a.c * a.c + a.s * a.s, square_b = b.c * b.c + b.s * b.s;
-    const Wave<Scalar>& wave = square_a < square_b ? b : a;
-    const Scalar square = square_a < square_b ? square_b : square_a;
-    if (!(square > Scalar(tolerance::flat_wave))) return;
-    const Scalar foot = -wave.one / square, height_square = Scalar(1) / square - foot * foot;
-    const Scalar height = height_square > Scalar(0) ? Scalar(sqrt(height_square)) : Scalar(0);
-    take(u, normalised({foot * wave.c - height * wave.s, foot * wave.s + height * wave.c}));
-    take(u, normalised({foot * wave.c + height * wave.s, foot * wave.s - height * wave.c}));
-  }
-  [[nodiscard]] const TurnPairs<Scalar>& found() const { return found_; }
-
- private:
-  static Rotor<Scalar> normalised(const Rotor<Scalar>& u) {
-    using std::sqrt;
-    return Scalar(Scalar(1) / sqrt(Scalar(u.cosine * u.cosine + u.sine * u.sine))) * u;
-  }
-  static Scalar distance(const Rotor<Scalar>& a, const Rotor<Scalar>& b) {
-    return magnitude(a.cosine - b.cosine) + magnitude(a.sine - b.sine);
-  }
-
-  /// Newton's steps from a candidate; keeps where they end if both equations hold there.
-  bool take(const Rotor<Scalar>& at, const Rotor<Scalar>& with) {
-    Rotor<Scalar> u = normalised(at), v = normalised(with);
-    const Scalar still = Scalar(2) * epsilon<Scalar>(), rounding = Scalar(64) * epsilon<Scalar>(), most(0.3);
-    Scalar last(64);  // more than any gap
-    Scalar apart(1);  // 0 where both equations' curves touch
-    for (int step = 0; step < 40; ++step) {
-      const Wave<Scalar> a = of_second(e_.rows[0], u), b = of_second(e_.rows[1], u);
-      const Scalar gap_a = dot(a, v), gap_b = dot(b, v);
-      const Scalar a_u = dot(of_second_by_first(e_.rows[0], u), v), a_v = slope(a, v);
-      const Scalar b_u = dot(of_second_by_first(e_.rows[1], u), v), b_v = slope(b, v);
-      const Scalar determinant = a_u * b_v - a_v * b_u;
-      const Scalar size = (magnitude(a_u) + magnitude(a_v)) * (magnitude(b_u) + magnitude(b_v));
-      apart = size > Scalar(0) ? Scalar(magnitude(determinant) / size) : Scalar(0);
-      // Further steps would follow rounding alone: solutions meet here.
-      const Scalar gap = magnitude(gap_a) + magnitude(gap_b);
-      if (gap < rounding && !(gap < Scalar(0.5) * last)) break;
-      last = gap;
-      if (!(apart > Scalar(tolerance::curves_touch))) break;
-      Scalar du = (a_v * gap_b - b_v * gap_a) / determinant, dv = (b_u * gap_a - a_u * gap_b) / determinant;
-      const Scalar longest = magnitude(du) < magnitude(dv) ? magnitude(dv) : magnitude(du);
-      if (!(longest < Scalar(tolerance::lost_turn))) return false;
-      if (longest > most) {
-        du = du * most / longest;
-        dv = dv * most / longest;
-      }
-      u = turned_by(u, du);
-      v = turned_by(v, dv);
-      if (longest < still) break;
-    }
-    return keep(normalised(u), normalised(v), apart);
-  }
-
-  /// Keeps a solution, but for one that is there: as near as rounding may have moved it.
-  bool keep(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& apart) {
-    const Scalar enough = Scalar(tolerance::equation_rounding) * epsilon<Scalar>();
-    for (const auto& m : e_.rows)
-      if (!(magnitude(dot(of_second(m, u), v)) < enough)) return false;
-    const bool meets = apart < Scalar(tolerance::curves_meet);
-    const Scalar least(tolerance::same_turn), most(tolerance::same_turn_at_most);
-    const Scalar moved = Scalar(tolerance::turn_rounding) * epsilon<Scalar>();
-    const Scalar same = most * apart < moved ? most : moved < least * apart ? least : Scalar(moved / apart);
-    for (int i = 0; i < found_.count; ++i) {
-      const TurnPair<Scalar>& other = found_.root[static_cast<std::size_t>(i)];
-      if (distance(other.first, u) < same && distance(other.second, v) < same) return true;
-    }
-    if (found_.count < most_) found_.root[static_cast<std::size_t>(found_.count++)] = {u, v, meets};
-    return true;
-  }
-
-  const TwoTurns<Scalar>& e_;
-  int most_;
-  TurnPairs<Scalar> found_;
+struct TurnSearch {
+  TwoTurns<Scalar> e;
+  Harmonics<Scalar> f;
+  Scalar fourth;  ///< bound of f's fourth derivative
+  Scalar noise;   ///< rounding in f's values
+  int most = 8;   ///< solutions that are kept
+  int visits = 0;
+  TurnPairs<Scalar> found;
 };
 
-/// Arcs of the circle, halved until each has a verdict.
 template <typename Scalar>
-class Circle {
- public:
-  Circle(const TwoTurns<Scalar>& e, const Harmonics<Scalar, 4>& f, int most)
-      : f_(f), fourth_(fourth_bound(f)), noise_(noise_of(fourth_)), solutions_(e, most) {}
+Rotor<Scalar> unit_turn(const Rotor<Scalar>& u) {
+  using std::sqrt;
+  return Scalar(Scalar(1) / sqrt(Scalar(u.cosine * u.cosine + u.sine * u.sine))) * u;
+}
+template <typename Scalar>
+Scalar turns_apart(const Rotor<Scalar>& a, const Rotor<Scalar>& b) {
+  return magnitude(a.cosine - b.cosine) + magnitude(a.sine - b.sine);
+}
 
-  /// False if arcs without a verdict are so many that the equations hold along a curve.
-  bool search() {
-    std::array<Rotor<Scalar>, half_of_arcs> middles;
-    for (std::size_t i = 0; i < half_of_arcs; ++i)
-      middles[i] = {Scalar(first_middles[i][0]), Scalar(first_middles[i][1])};
-    const Jets<Scalar, 2 * half_of_arcs> at = jets_across(f_, middles);
-    for (std::size_t i = 0; i < half_of_arcs; ++i) visit(middles[i], at.at(i), half_of_first, 1);
-    for (std::size_t i = 0; i < half_of_arcs; ++i)
-      visit({-middles[i].cosine, -middles[i].sine}, at.at(half_of_arcs + i), half_of_first, 1);
-    return visits_ < most_visits;
-  }
-  [[nodiscard]] const TurnPairs<Scalar>& found() const { return solutions_.found(); }
+template <typename Scalar>
+bool holds_at(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u, const Rotor<Scalar>& v) {
+  return magnitude(wave_at(wave_of_second(m, u), v)) <
+         Scalar(tolerance::equation_rounding) * epsilon<Scalar>();
+}
 
- private:
-  using Places = std::array<Rotor<Scalar>, 2>;
-  static constexpr int most_visits = 1500;
-  static constexpr std::size_t half_of_arcs = 8;
-  static constexpr std::size_t depths = 9;
-  static constexpr double half_of_first = 3.14159265358979323846 / (2 * half_of_arcs);
-  /// Cosine and sine of the middles of the first arcs from -pi to 0.
-  static constexpr double first_middles[half_of_arcs][2] = {
-      {-0.9807852804032304, -0.1950903220161286}, {-0.8314696123025453, -0.5555702330196022},
-      {-0.555570233019602, -0.8314696123025455},  {-0.1950903220161282, -0.9807852804032304},
-      {0.19509032201612833, -0.9807852804032304}, {0.5555702330196021, -0.8314696123025453},
-      {0.8314696123025453, -0.5555702330196021},  {0.9807852804032304, -0.19509032201612847}};
-  /// Cosine and sine of half_of_first, of half of it, ...
-  static constexpr double turns[depths + 1][2] = {
-      {0.9807852804032304, 0.19509032201612825},   {0.9951847266721969, 0.0980171403295606},
-      {0.9987954562051724, 0.049067674327418015},  {0.9996988186962042, 0.024541228522912288},
-      {0.9999247018391445, 0.012271538285719925},  {0.9999811752826011, 0.006135884649154475},
-      {0.9999952938095762, 0.003067956762965976},  {0.9999988234517019, 0.0015339801862847655},
-      {0.9999997058628822, 0.0007669903187427045}, {0.9999999264657179, 0.00038349518757139556}};
+/// Keeps a solution, but for one that is there: as near as rounding may have moved it. `apart`: 0 where both
+/// equations' curves touch. Returns false if it is none.
+template <typename Scalar>
+bool keep_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& apart,
+                TurnSearch<Scalar>& search) {
+  if (!holds_at(search.e.one, u, v) || !holds_at(search.e.other, u, v)) return false;
+  const Scalar least(tolerance::same_turn);
+  const Scalar most(tolerance::same_turn_at_most);
+  const Scalar moved = Scalar(tolerance::turn_rounding) * epsilon<Scalar>();
+  const Scalar same = most * apart < moved ? most : moved < least * apart ? least : Scalar(moved / apart);
+  for (int i = 0; i < search.found.count; ++i) {
+    const TurnPair<Scalar> other = search.found.root[static_cast<std::size_t>(i)];
+    if (turns_apart(other.first, u) < same && turns_apart(other.second, v) < same) return true;
+  }
+  if (search.found.count == search.most) return true;
+  search.found.root[static_cast<std::size_t>(search.found.count++)] = {
+      u, v, apart < Scalar(tolerance::curves_meet)};
+  return true;
+}
 
-  static Rotor<Scalar> turn_by(std::size_t depth) {
-    return {Scalar(turns[depth][0]), Scalar(turns[depth][1])};
-  }
-  /// Rounding in the polynomial's values: those of its three squares are as large as the roots of its size.
-  static Scalar noise_of(const Scalar& size) {
-    using std::sqrt;
-    return Scalar(32) * epsilon<Scalar>() * Scalar(sqrt(size));
-  }
-
-  /// Two arcs of one length, the first one first.
-  void visit(const Places& middles, double half, std::size_t depth) {
-    const Jets<Scalar, 2> at = jets(f_, middles);
-    for (std::size_t i = 0; i < 2; ++i) visit(middles[i], at.at(i), half, depth);
-  }
-
-  void visit(const Rotor<Scalar>& middle, const Jet<Scalar>& at, double half, std::size_t depth) {
-    if (++visits_ >= most_visits) return;
-    const Scalar h(1.0001 * half);
-    if (has_no_root(at, h)) return;
-    if (has_one_slope(at, h)) return one_root(middle, at, half);
-    if (depth > depths) return close_roots(middle, at, half);
-    const Rotor<Scalar> turn = turn_by(depth);
-    visit({middle * inverse(turn), middle * turn}, half / 2, depth + 1);
-  }
-
-  /// True if the slope changes by less than it is in the middle of the arc.
-  bool has_one_slope(const Jet<Scalar>& at, const Scalar& h) const {
-    const Scalar bend = magnitude(at.third) + fourth_ * h / Scalar(3);
-    return magnitude(at.slope) > (magnitude(at.curvature) + bend * h / Scalar(2)) * h;
-  }
-  /// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
-  bool has_no_root(const Jet<Scalar>& at, const Scalar& h) const {
-    const Scalar steep = magnitude(at.slope), bend = flipped_by(at.value, at.curvature);
-    const Scalar farthest =
-        (magnitude(at.third) + fourth_ * h / Scalar(4)) * (h * h * h / Scalar(6)) + noise_;
-    const Scalar down = steep < bend * h ? Scalar(steep * steep / (Scalar(2) * bend))
-                                         : Scalar((steep - bend * h / Scalar(2)) * h);
-    return magnitude(at.value) - down > farthest;
-  }
-  /// The number with its sign changed where that of `by` is below zero.
-  static Scalar flipped_by(const Scalar& by, const Scalar& number) {
-    return by < Scalar(0) ? Scalar(-number) : number;
-  }
-
-  /// Newton's steps within the arc, where the slope has one sign. Those on both equations do the rest.
-  void one_root(const Rotor<Scalar>& middle, const Jet<Scalar>& start, double half) {
-    Jet<Scalar> at = start;
-    Rotor<Scalar> u = middle;
-    Scalar from(0);
-    for (int step = 0; step < 8; ++step) {
-      Scalar to = from - at.value / at.slope;
-      if (magnitude(to) > Scalar(1.01 * half)) {
-        if (magnitude(from) == Scalar(1.01 * half)) return;  // the root is outside
-        to = with_sign(Scalar(1.01 * half), to);
-      }
-      const bool is_still = magnitude(to - from) < Scalar(tolerance::next_to_root);
-      from = to;
-      u = turned_by(middle, from);
-      if (is_still) break;
-      at = jets<Scalar, 1>(f_, {u}).at(0);
+/// Newton's steps from a candidate; keeps where they end if both equations hold there. Returns false else.
+template <typename Scalar>
+bool take_turns(const Rotor<Scalar>& at, const Rotor<Scalar>& with, TurnSearch<Scalar>& search) {
+  Rotor<Scalar> u = unit_turn(at), v = unit_turn(with);
+  const Scalar still = Scalar(2) * epsilon<Scalar>(), rounding = Scalar(64) * epsilon<Scalar>(),
+               most = Scalar(0.3);
+  Scalar last(64);  // more than any gap
+  Scalar apart(1);
+  for (int step = 0; step < 40; ++step) {
+    const Wave<Scalar> a = wave_of_second(search.e.one, u), b = wave_of_second(search.e.other, u);
+    const Scalar gap_a = wave_at(a, v), gap_b = wave_at(b, v);
+    const Scalar a_u = wave_at(wave_of_second_by_first(search.e.one, u), v), a_v = wave_slope(a, v);
+    const Scalar b_u = wave_at(wave_of_second_by_first(search.e.other, u), v), b_v = wave_slope(b, v);
+    const Scalar determinant = a_u * b_v - a_v * b_u;
+    const Scalar size = (magnitude(a_u) + magnitude(a_v)) * (magnitude(b_u) + magnitude(b_v));
+    apart = size > Scalar(0) ? Scalar(magnitude(determinant) / size) : Scalar(0);
+    // Further steps would follow rounding alone: solutions meet here.
+    const Scalar gap = magnitude(gap_a) + magnitude(gap_b);
+    if (gap < rounding && !(gap < Scalar(0.5) * last)) break;
+    last = gap;
+    if (!(apart > Scalar(tolerance::curves_touch))) break;
+    Scalar du = (a_v * gap_b - b_v * gap_a) / determinant, dv = (b_u * gap_a - a_u * gap_b) / determinant;
+    const Scalar longest = magnitude(du) < magnitude(dv) ? magnitude(dv) : magnitude(du);
+    if (!(longest < Scalar(tolerance::lost_turn))) return false;
+    if (longest > most) {
+      du = du * most / longest;
+      dv = dv * most / longest;
     }
-    if (!solutions_.take_common(u)) solutions_.take_both(u);
+    u = turned_by(u, du);
+    v = turned_by(v, dv);
+    if (longest < still) break;
   }
+  return keep_turns(unit_turn(u), unit_turn(v), apart, search);
+}
 
-  /// Tries the places where the arc's parabola vanishes, or is nearest to zero.
-  void close_roots(const Rotor<Scalar>& middle, const Jet<Scalar>& at, double half) {
-    using std::sqrt;
-    const Scalar most(4 * half);
-    if (!(magnitude(at.curvature) > Scalar(0))) return try_all(middle);
-    const Scalar centre = -at.slope / at.curvature;
-    const Scalar square = centre * centre - Scalar(2) * at.value / at.curvature;
-    if (magnitude(centre) > most) return try_all(middle);
-    const Scalar off = square > Scalar(0) ? Scalar(sqrt(square)) : Scalar(0);
-    if (off > most) return try_all(middle);
-    try_all(turned_by(middle, Scalar(centre - off)));
-    if (off > Scalar(0)) try_all(turned_by(middle, Scalar(centre + off)));
-  }
-  void try_all(const Rotor<Scalar>& u) {
-    solutions_.take_common(u);
-    solutions_.take_both(u);
-  }
+/// Tries u with the v that both waves have in common. Returns false if they tell none.
+template <typename Scalar>
+bool take_common_turn(const Rotor<Scalar>& u, TurnSearch<Scalar>& search) {
+  using std::sqrt;
+  const Wave<Scalar> common =
+      crossed_waves(wave_of_second(search.e.one, u), wave_of_second(search.e.other, u));
+  const Scalar square = common.c * common.c + common.s * common.s;
+  if (!(square > Scalar(tolerance::common_wave))) return false;
+  const Scalar scale = with_sign(Scalar(Scalar(1) / sqrt(square)), common.one);
+  return take_turns(u, Rotor<Scalar>{scale * common.c, scale * common.s}, search);
+}
 
-  const Harmonics<Scalar, 4>& f_;
-  Scalar fourth_, noise_;
-  Solutions<Scalar> solutions_;
-  int visits_ = 0;
-};
+/// Tries u with both v at which the longer wave vanishes: where the waves are (nearly) the same.
+template <typename Scalar>
+void take_both_turns(const Rotor<Scalar>& u, TurnSearch<Scalar>& search) {
+  using std::sqrt;
+  const Wave<Scalar> a = wave_of_second(search.e.one, u), b = wave_of_second(search.e.other, u);
+  const Scalar square_a = a.c * a.c + a.s * a.s, square_b = b.c * b.c + b.s * b.s;
+  const Wave<Scalar> wave = square_a < square_b ? b : a;
+  const Scalar square = square_a < square_b ? square_b : square_a;
+  if (!(square > Scalar(tolerance::flat_wave))) return;
+  const Scalar foot = -wave.one / square, height_square = Scalar(1) / square - foot * foot;
+  const Scalar height = height_square > Scalar(0) ? Scalar(sqrt(height_square)) : Scalar(0);
+  take_turns(u, unit_turn(Rotor<Scalar>{foot * wave.c - height * wave.s, foot * wave.s + height * wave.c}),
+             search);
+  take_turns(u, unit_turn(Rotor<Scalar>{foot * wave.c + height * wave.s, foot * wave.s - height * wave.c}),
+             search);
+}
+
+template <typename Scalar>
+void try_turns(const Rotor<Scalar>& u, TurnSearch<Scalar>& search) {
+  take_common_turn(u, search);
+  take_both_turns(u, search);
+}
+
+/// Newton's steps within the arc, where the slope has one sign. Those on both equations do the rest. `half`:
+/// half of the arc's length, rad.
+template <typename Scalar>
+void take_one_root(const Rotor<Scalar>& middle, const Jet<Scalar>& start, const Scalar& half,
+                   TurnSearch<Scalar>& search) {
+  Jet<Scalar> at = start;
+  Rotor<Scalar> u = middle;
+  const Scalar farthest = Scalar(1.01) * half;
+  Scalar from(0);
+  for (int step = 0; step < 8; ++step) {
+    Scalar to = from - at.value / at.slope;
+    if (magnitude(to) > farthest) {
+      if (magnitude(from) == farthest) return;  // the root is outside
+      to = with_sign(farthest, to);
+    }
+    const bool is_still = magnitude(to - from) < Scalar(tolerance::next_to_root);
+    from = to;
+    u = turned_by(middle, from);
+    if (is_still) break;
+    at = jet_at(search.f, u);
+  }
+  if (!take_common_turn(u, search)) take_both_turns(u, search);
+}
+
+/// Tries the places where the arc's parabola vanishes, or is nearest to zero.
+template <typename Scalar>
+void take_close_roots(const Rotor<Scalar>& middle, const Jet<Scalar>& at, const Scalar& half,
+                      TurnSearch<Scalar>& search) {
+  using std::sqrt;
+  const Scalar most = Scalar(4) * half;
+  const Scalar centre = -at.slope / at.curvature;
+  const Scalar square = centre * centre - Scalar(2) * at.value / at.curvature;
+  const Scalar off = square > Scalar(0) ? Scalar(sqrt(square)) : Scalar(0);
+  if (!(magnitude(at.curvature) > Scalar(0)) || magnitude(centre) > most || off > most) {
+    try_turns(middle, search);
+    return;
+  }
+  try_turns(turned_by(middle, Scalar(centre - off)), search);
+  if (off > Scalar(0)) try_turns(turned_by(middle, Scalar(centre + off)), search);
+}
+
+/// True if the slope changes by less than it is in the middle of the arc, which is h to either side.
+template <typename Scalar>
+bool has_one_slope(const Jet<Scalar>& at, const Scalar& h, const Scalar& fourth) {
+  const Scalar bend = magnitude(at.third) + fourth * h / Scalar(3);
+  return magnitude(at.slope) > (magnitude(at.curvature) + bend * h / Scalar(2)) * h;
+}
+
+/// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
+template <typename Scalar>
+bool has_no_root(const Jet<Scalar>& at, const Scalar& h, const Scalar& fourth, const Scalar& noise) {
+  const Scalar steep = magnitude(at.slope),
+               bend = at.value < Scalar(0) ? Scalar(-at.curvature) : at.curvature;
+  const Scalar farthest = (magnitude(at.third) + fourth * h / Scalar(4)) * (h * h * h / Scalar(6)) + noise;
+  const Scalar down = steep < bend * h ? Scalar(steep * steep / (Scalar(2) * bend))
+                                       : Scalar((steep - bend * h / Scalar(2)) * h);
+  return magnitude(at.value) - down > farthest;
+}
+
+inline constexpr int most_arcs = 1500;
+inline constexpr int arc_depths = 9;
+inline constexpr double half_of_first_arc = 0.19634954084936207;  ///< pi / 16
+
+/// Cosines and sines of half of a first arc, of half of that, ...
+inline constexpr std::array<double, 10> arc_cosines = {
+    0.9807852804032304, 0.9951847266721969, 0.9987954562051724, 0.9996988186962042, 0.9999247018391445,
+    0.9999811752826011, 0.9999952938095762, 0.9999988234517019, 0.9999997058628822, 0.9999999264657179};
+inline constexpr std::array<double, 10> arc_sines = {
+    0.19509032201612825,   0.0980171403295606,    0.049067674327418015, 0.024541228522912288,
+    0.012271538285719925,  0.006135884649154475,  0.003067956762965976, 0.0015339801862847655,
+    0.0007669903187427045, 0.00038349518757139556};
+
+/// Halves an arc, whose middle has the jet `at`, until it has a verdict, at most `arc_depths` times. Counts
+/// `visits`, of which there are at most `most_arcs`.
+template <typename Scalar>
+void visit_arc(const Rotor<Scalar>& middle, const Jet<Scalar>& at, const Scalar& half, int depth,
+               TurnSearch<Scalar>& search) {
+  if (++search.visits >= most_arcs) return;
+  const Scalar h = Scalar(1.0001) * half;
+  if (has_no_root(at, h, search.fourth, search.noise)) return;
+  if (has_one_slope(at, h, search.fourth)) {
+    take_one_root(middle, at, half, search);
+  } else if (depth > arc_depths) {
+    take_close_roots(middle, at, half, search);
+  } else {
+    const Rotor<Scalar> turn = {Scalar(arc_cosines[static_cast<std::size_t>(depth)]),
+                                Scalar(arc_sines[static_cast<std::size_t>(depth)])};
+    const Rotor<Scalar> left = middle * inverse(turn), right = middle * turn;
+    const TwoJets<Scalar> jets = jets_at(search.f, left, right);
+    const Jet<Scalar> first = {jets.value[0], jets.slope[0], jets.curvature[0], jets.third[0]};
+    const Jet<Scalar> second = {jets.value[1], jets.slope[1], jets.curvature[1], jets.third[1]};
+    visit_arc(left, first, Scalar(half / Scalar(2)), depth + 1, search);
+    visit_arc(right, second, Scalar(half / Scalar(2)), depth + 1, search);
+  }
+}
+
+/// Visits the arcs of the whole circle.
+template <typename Scalar>
+void visit_circle(TurnSearch<Scalar>& search) {
+  const FirstJets<Scalar> jets = first_jets(search.f);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const std::size_t k = i < 8 ? i : i - 8;
+    const Scalar side = i < 8 ? Scalar(1) : Scalar(-1);
+    const Rotor<Scalar> middle = {side * Scalar(middle_cosines[k]), side * Scalar(middle_sines[k])};
+    const Jet<Scalar> at = {jets.value[i], jets.slope[i], jets.curvature[i], jets.third[i]};
+    visit_arc(middle, at, Scalar(half_of_first_arc), 1, search);
+  }
+}
+
+/// The largest of three coefficients' magnitudes.
+template <typename Scalar>
+Scalar largest_of(const Scalar& a, const Scalar& b, const Scalar& c) {
+  return larger(Scalar(larger(magnitude(a), magnitude(b))), magnitude(c));
+}
 
 /// An equation with its largest coefficient one; all zeros stay.
 template <typename Scalar>
-TwoTurnsEquation<Scalar> scaled(TwoTurnsEquation<Scalar> m) {
-  Scalar largest(0);
-  for (const Scalar& each : m)
-    if (!(magnitude(each) < largest)) largest = magnitude(each);
-  if (largest > Scalar(0))
-    for (Scalar& each : m) each = each / largest;
-  return m;
+TwoTurnsEquation<Scalar> with_largest_one(const TwoTurnsEquation<Scalar>& m) {
+  const Scalar n = largest_of(largest_of(m.c00, m.c01, m.c02), largest_of(m.c10, m.c11, m.c12),
+                              largest_of(m.c20, m.c21, m.c22));
+  if (!(n > Scalar(0))) return m;
+  return {m.c00 / n, m.c01 / n, m.c02 / n, m.c10 / n, m.c11 / n, m.c12 / n, m.c20 / n, m.c21 / n, m.c22 / n};
 }
 
 }  // namespace two_turns_cases
@@ -272,16 +280,20 @@ TwoTurnsEquation<Scalar> scaled(TwoTurnsEquation<Scalar> m) {
 template <typename Scalar>
 TurnPairs<Scalar> two_turns(const TwoTurnsEquation<Scalar>& one, const TwoTurnsEquation<Scalar>& other,
                             bool at_most_six) {
-  const TwoTurns<Scalar> e{{two_turns_cases::scaled(one), two_turns_cases::scaled(other)}};
-  const auto f = two_turns_cases::eliminated(e);
-  two_turns_cases::Circle<Scalar> circle(e, f, at_most_six ? 6 : 8);
-  if (circle.search()) return circle.found();
+  using std::sqrt;
+  two_turns_cases::TurnSearch<Scalar> search;
+  search.e = {two_turns_cases::with_largest_one(one), two_turns_cases::with_largest_one(other)};
+  search.f = two_turns_cases::eliminated_turn(search.e);
+  search.fourth = two_turns_cases::fourth_bound(search.f);
+  // The values of its three squares are as large as the roots of its size.
+  search.noise = Scalar(32) * epsilon<Scalar>() * Scalar(sqrt(search.fourth));
+  if (at_most_six) search.most = 6;
+  two_turns_cases::visit_circle(search);
+  if (search.visits < two_turns_cases::most_arcs) return search.found;
+  const Scalar none = not_a_number<Scalar>();
   TurnPairs<Scalar> lost;
-  if constexpr (std::is_floating_point_v<Scalar>) {
-    constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
-    lost.count = 1;
-    lost.root[0] = {{none, none}, {none, none}, true};
-  }
+  lost.count = 1;
+  lost.root[0] = {{none, none}, {none, none}, true};
   return lost;
 }
 

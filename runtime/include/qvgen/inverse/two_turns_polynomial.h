@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two equations in two angles (two_turns.h), and the trigonometric polynomial that is left of them when one
 // angle is eliminated: 1, cosine and sine of that angle are along the cross product of both equations' waves,
-// and cos² + sin² = 1 is of degree four in the other angle.
+// and cos² + sin² = 1 is of degree four in the other angle. C reads this text as well.
 #pragma once
 
 #include <array>
@@ -12,14 +12,16 @@
 
 namespace qvgen::inverse {
 
-/// sum of m[3 j + k] a_j b_k with a = (1, cos u, sin u) and b = (1, cos v, sin v).
+/// Coefficients of (1, cos u, sin u) times (1, cos v, sin v), row by row; their sum is to vanish.
 template <typename Scalar>
-using TwoTurnsEquation = std::array<Scalar, 9>;
+struct TwoTurnsEquation {
+  Scalar c00, c01, c02, c10, c11, c12, c20, c21, c22;
+};
 
-/// Both equations, which are to vanish.
+/// Both equations.
 template <typename Scalar>
 struct TwoTurns {
-  std::array<TwoTurnsEquation<Scalar>, 2> rows;
+  TwoTurnsEquation<Scalar> one, other;
 };
 
 namespace two_turns_cases {
@@ -31,58 +33,59 @@ struct Wave {
 };
 
 template <typename Scalar>
-Scalar dot(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
+Scalar wave_at(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
   return wave.one + wave.c * at.cosine + wave.s * at.sine;
 }
 template <typename Scalar>
-Scalar slope(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
+Scalar wave_slope(const Wave<Scalar>& wave, const Rotor<Scalar>& at) {
   return wave.s * at.cosine - wave.c * at.sine;
+}
+template <typename Scalar>
+Wave<Scalar> crossed_waves(const Wave<Scalar>& a, const Wave<Scalar>& b) {
+  return {a.c * b.s - a.s * b.c, a.s * b.one - a.one * b.s, a.one * b.c - a.c * b.one};
 }
 
 /// An equation at a value of u: a wave of v.
 template <typename Scalar>
-Wave<Scalar> of_second(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
-  const auto entry = [&](std::size_t k) { return m[k] + m[3 + k] * u.cosine + m[6 + k] * u.sine; };
-  return {entry(0), entry(1), entry(2)};
+Wave<Scalar> wave_of_second(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
+  return {m.c00 + m.c10 * u.cosine + m.c20 * u.sine, m.c01 + m.c11 * u.cosine + m.c21 * u.sine,
+          m.c02 + m.c12 * u.cosine + m.c22 * u.sine};
 }
 /// Its derivative by u.
 template <typename Scalar>
-Wave<Scalar> of_second_by_first(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
-  const auto entry = [&](std::size_t k) { return m[6 + k] * u.cosine - m[3 + k] * u.sine; };
-  return {entry(0), entry(1), entry(2)};
+Wave<Scalar> wave_of_second_by_first(const TwoTurnsEquation<Scalar>& m, const Rotor<Scalar>& u) {
+  return {m.c20 * u.cosine - m.c10 * u.sine, m.c21 * u.cosine - m.c11 * u.sine,
+          m.c22 * u.cosine - m.c12 * u.sine};
 }
 
+/// Real trigonometric polynomial: one + the sum of c[k - 1] cos(k u) + s[k - 1] sin(k u) for k = 1, ..., 4.
 template <typename Scalar>
-Wave<Scalar> cross(const Wave<Scalar>& a, const Wave<Scalar>& b) {
-  return {a.c * b.s - a.s * b.c, a.s * b.one - a.one * b.s, a.one * b.c - a.c * b.one};
-}
-
-/// Real trigonometric polynomial: one + the sum of c[k - 1] cos(k u) + s[k - 1] sin(k u) for k = 1, ...,
-/// degree.
-template <typename Scalar, std::size_t degree>
 struct Harmonics {
-  Scalar one{0};
-  std::array<Scalar, degree> c{}, s{};
+  Scalar one;
+  std::array<Scalar, 4> c;
+  std::array<Scalar, 4> s;
 };
 
-/// Product of two waves.
+/// a b - c d, which is of degree two.
 template <typename Scalar>
-Harmonics<Scalar, 2> product(const Wave<Scalar>& a, const Wave<Scalar>& b) {
-  const Scalar half(0.5), cc = half * a.c * b.c, ss = half * a.s * b.s;
-  return {a.one * b.one + (cc + ss),
-          {a.one * b.c + a.c * b.one, cc - ss},
-          {a.one * b.s + a.s * b.one, half * (a.c * b.s + a.s * b.c)}};
+Harmonics<Scalar> difference_of_products(const Wave<Scalar>& a, const Wave<Scalar>& b, const Wave<Scalar>& c,
+                                         const Wave<Scalar>& d) {
+  const Scalar half(0.5);
+  const Scalar none(0);
+  const Scalar ab_cc = half * a.c * b.c, ab_ss = half * a.s * b.s;
+  const Scalar cd_cc = half * c.c * d.c, cd_ss = half * c.s * d.s;
+  return {(a.one * b.one + (ab_cc + ab_ss)) - (c.one * d.one + (cd_cc + cd_ss)),
+          {(a.one * b.c + a.c * b.one) - (c.one * d.c + c.c * d.one), (ab_cc - ab_ss) - (cd_cc - cd_ss), none,
+           none},
+          {(a.one * b.s + a.s * b.one) - (c.one * d.s + c.s * d.one),
+           half * (a.c * b.s + a.s * b.c) - half * (c.c * d.s + c.s * d.c), none, none}};
 }
 
+/// Adds a multiple of the square of a polynomial of degree two.
 template <typename Scalar>
-Harmonics<Scalar, 2> difference(const Harmonics<Scalar, 2>& a, const Harmonics<Scalar, 2>& b) {
-  return {a.one - b.one, {a.c[0] - b.c[0], a.c[1] - b.c[1]}, {a.s[0] - b.s[0], a.s[1] - b.s[1]}};
-}
-
-/// Adds a multiple of a square.
-template <typename Scalar>
-void add_square(const Scalar& factor, const Harmonics<Scalar, 2>& f, Harmonics<Scalar, 4>& sum) {
-  const Scalar half(0.5), twice = Scalar(2) * f.one, c1 = f.c[0], s1 = f.s[0], c2 = f.c[1], s2 = f.s[1];
+void add_square(const Scalar& factor, const Harmonics<Scalar>& f, Harmonics<Scalar>& sum) {
+  const Scalar half = Scalar(0.5), twice = Scalar(2) * f.one, c1 = f.c[0], s1 = f.s[0], c2 = f.c[1],
+               s2 = f.s[1];
   sum.one = sum.one + factor * (f.one * f.one + half * ((c1 * c1 + s1 * s1) + (c2 * c2 + s2 * s2)));
   sum.c[0] = sum.c[0] + factor * (twice * c1 + (c1 * c2 + s1 * s2));
   sum.s[0] = sum.s[0] + factor * (twice * s1 + (c1 * s2 - s1 * c2));
@@ -97,17 +100,16 @@ void add_square(const Scalar& factor, const Harmonics<Scalar, 2>& f, Harmonics<S
 /// The second angle eliminated: (1, cos v, sin v) is along the cross product of both waves, whose entries are
 /// polynomials in u; cos² + sin² = 1 makes them one of degree four.
 template <typename Scalar>
-Harmonics<Scalar, 4> eliminated(const TwoTurns<Scalar>& e) {
-  const auto wave = [&](std::size_t row, std::size_t k) {
-    const auto& m = e.rows[row];
-    return Wave<Scalar>{m[k], m[3 + k], m[6 + k]};
-  };
-  Harmonics<Scalar, 4> sum;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    add_square(Scalar(k == 0 ? -1 : 1),
-               difference(product(wave(0, i), wave(1, j)), product(wave(0, j), wave(1, i))), sum);
-  }
+Harmonics<Scalar> eliminated_turn(const TwoTurns<Scalar>& e) {
+  const Wave<Scalar> a = {e.one.c00, e.one.c10, e.one.c20}, b = {e.one.c01, e.one.c11, e.one.c21},
+                     c = {e.one.c02, e.one.c12, e.one.c22};
+  const Wave<Scalar> d = {e.other.c00, e.other.c10, e.other.c20}, f = {e.other.c01, e.other.c11, e.other.c21},
+                     g = {e.other.c02, e.other.c12, e.other.c22};
+  const Scalar none(0);
+  Harmonics<Scalar> sum = {none, {none, none, none, none}, {none, none, none, none}};
+  add_square(Scalar(-1), difference_of_products(b, g, c, f), sum);
+  add_square(Scalar(1), difference_of_products(c, d, a, g), sum);
+  add_square(Scalar(1), difference_of_products(a, f, b, d), sum);
   return sum;
 }
 
@@ -117,11 +119,13 @@ struct Jet {
   Scalar value, slope, curvature, third;
 };
 
-/// Jets at several places, side by side.
-template <typename Scalar, std::size_t count>
-struct Jets {
-  std::array<Scalar, count> value, slope, curvature, third;
-  [[nodiscard]] Jet<Scalar> at(std::size_t i) const { return {value[i], slope[i], curvature[i], third[i]}; }
+/// Jets at both halves of an arc, side by side.
+template <typename Scalar>
+struct TwoJets {
+  std::array<Scalar, 2> value;
+  std::array<Scalar, 2> slope;
+  std::array<Scalar, 2> curvature;
+  std::array<Scalar, 2> third;
 };
 
 /// Harmonics 1 to 4 of a polynomial at one angle, and the derivative of each by its own angle, k u.
@@ -129,7 +133,7 @@ template <typename Scalar>
 struct HarmonicsAt {
   Scalar v1, v2, v3, v4, d1, d2, d3, d4;
 
-  HarmonicsAt(const Harmonics<Scalar, 4>& f, const Rotor<Scalar>& at) {
+  HarmonicsAt(const Harmonics<Scalar>& f, const Rotor<Scalar>& at) {
     const Scalar c1 = at.cosine, s1 = at.sine;
     const Scalar c2 = c1 * c1 - s1 * s1, s2 = c1 * s1 + c1 * s1;
     const Scalar c3 = c1 * c2 - s1 * s2, s3 = c1 * s2 + s1 * c2, c4 = c2 * c2 - s2 * s2,
@@ -145,46 +149,90 @@ struct HarmonicsAt {
   }
 };
 
-template <typename Scalar, std::size_t count>
-Jets<Scalar, count> jets(const Harmonics<Scalar, 4>& f, const std::array<Rotor<Scalar>, count>& at) {
-  Jets<Scalar, count> result;
-  for (std::size_t i = 0; i < count; ++i) {
+template <typename Scalar>
+Scalar value_of(const HarmonicsAt<Scalar>& h, const Scalar& one) {
+  return ((one + h.v1) + h.v2) + (h.v3 + h.v4);
+}
+template <typename Scalar>
+Scalar slope_of(const HarmonicsAt<Scalar>& h) {
+  return (h.d1 + Scalar(2) * h.d2) + (Scalar(3) * h.d3 + Scalar(4) * h.d4);
+}
+template <typename Scalar>
+Scalar curvature_of(const HarmonicsAt<Scalar>& h) {
+  return -((h.v1 + Scalar(4) * h.v2) + (Scalar(9) * h.v3 + Scalar(16) * h.v4));
+}
+template <typename Scalar>
+Scalar third_of(const HarmonicsAt<Scalar>& h) {
+  return -((h.d1 + Scalar(8) * h.d2) + (Scalar(27) * h.d3 + Scalar(64) * h.d4));
+}
+
+template <typename Scalar>
+Jet<Scalar> jet_at(const Harmonics<Scalar>& f, const Rotor<Scalar>& at) {
+  const HarmonicsAt<Scalar> h(f, at);
+  return {value_of(h, f.one), slope_of(h), curvature_of(h), third_of(h)};
+}
+
+template <typename Scalar>
+TwoJets<Scalar> jets_at(const Harmonics<Scalar>& f, const Rotor<Scalar>& left, const Rotor<Scalar>& right) {
+  const std::array<Rotor<Scalar>, 2> at = {left, right};
+  TwoJets<Scalar> result;
+  for (std::size_t i = 0; i < 2; ++i) {
     const HarmonicsAt<Scalar> h(f, at[i]);
-    result.value[i] = ((f.one + h.v1) + h.v2) + (h.v3 + h.v4);
-    result.slope[i] = (h.d1 + Scalar(2) * h.d2) + (Scalar(3) * h.d3 + Scalar(4) * h.d4);
-    result.curvature[i] = -((h.v1 + Scalar(4) * h.v2) + (Scalar(9) * h.v3 + Scalar(16) * h.v4));
-    result.third[i] = -((h.d1 + Scalar(8) * h.d2) + (Scalar(27) * h.d3 + Scalar(64) * h.d4));
+    result.value[i] = value_of(h, f.one);
+    result.slope[i] = slope_of(h);
+    result.curvature[i] = curvature_of(h);
+    result.third[i] = third_of(h);
   }
   return result;
 }
 
-/// Jets at places and, behind them, at the places across the circle: there odd harmonics change their signs.
-template <typename Scalar, std::size_t count>
-Jets<Scalar, 2 * count> jets_across(const Harmonics<Scalar, 4>& f,
-                                    const std::array<Rotor<Scalar>, count>& at) {
-  Jets<Scalar, 2 * count> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    const HarmonicsAt<Scalar> h(f, at[i]);
-    const auto put = [i](std::array<Scalar, 2 * count>& to, const Scalar& even, const Scalar& odd) {
-      to[i] = even + odd;
-      to[i + count] = even - odd;
-    };
-    put(result.value, f.one + (h.v2 + h.v4), h.v1 + h.v3);
-    put(result.slope, Scalar(2) * h.d2 + Scalar(4) * h.d4, h.d1 + Scalar(3) * h.d3);
-    put(result.curvature, Scalar(-4) * h.v2 - Scalar(16) * h.v4, -h.v1 - Scalar(9) * h.v3);
-    put(result.third, Scalar(-8) * h.d2 - Scalar(64) * h.d4, -h.d1 - Scalar(27) * h.d3);
+/// Cosines and sines of the middles of the first arcs from -pi to 0; the others are across the circle.
+inline constexpr std::array<double, 8> middle_cosines = {
+    -0.9807852804032304, -0.8314696123025453, -0.555570233019602, -0.1950903220161282,
+    0.19509032201612833, 0.5555702330196021,  0.8314696123025453, 0.9807852804032304};
+inline constexpr std::array<double, 8> middle_sines = {
+    -0.1950903220161286, -0.5555702330196022, -0.8314696123025455, -0.9807852804032304,
+    -0.9807852804032304, -0.8314696123025453, -0.5555702330196021, -0.19509032201612847};
+
+/// Jets at the middles of the first arcs and, behind them, across the circle.
+template <typename Scalar>
+struct FirstJets {
+  std::array<Scalar, 16> value;
+  std::array<Scalar, 16> slope;
+  std::array<Scalar, 16> curvature;
+  std::array<Scalar, 16> third;
+};
+
+/// Across the circle odd harmonics change their signs.
+template <typename Scalar>
+FirstJets<Scalar> first_jets(const Harmonics<Scalar>& f) {
+  FirstJets<Scalar> result;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const HarmonicsAt<Scalar> h(f, Rotor<Scalar>{Scalar(middle_cosines[i]), Scalar(middle_sines[i])});
+    const Jet<Scalar> even = {f.one + (h.v2 + h.v4), Scalar(2) * h.d2 + Scalar(4) * h.d4,
+                              Scalar(-4) * h.v2 - Scalar(16) * h.v4, Scalar(-8) * h.d2 - Scalar(64) * h.d4};
+    const Jet<Scalar> odd = {h.v1 + h.v3, h.d1 + Scalar(3) * h.d3, -h.v1 - Scalar(9) * h.v3,
+                             -h.d1 - Scalar(27) * h.d3};
+    result.value[i] = even.value + odd.value;
+    result.slope[i] = even.slope + odd.slope;
+    result.curvature[i] = even.curvature + odd.curvature;
+    result.third[i] = even.third + odd.third;
+    result.value[i + 8] = even.value - odd.value;
+    result.slope[i + 8] = even.slope - odd.slope;
+    result.curvature[i + 8] = even.curvature - odd.curvature;
+    result.third[i + 8] = even.third - odd.third;
   }
   return result;
 }
 
 /// Bound of the fourth derivative.
 template <typename Scalar>
-Scalar fourth_bound(const Harmonics<Scalar, 4>& f) {
+Scalar fourth_bound(const Harmonics<Scalar>& f) {
   using std::sqrt;
+  const std::array<double, 4> fourth_powers = {1.0, 16.0, 81.0, 256.0};
   Scalar sum(0);
   for (std::size_t k = 0; k < 4; ++k)
-    sum = sum + Scalar(static_cast<double>((k + 1) * (k + 1) * (k + 1) * (k + 1))) *
-                    Scalar(sqrt(Scalar(f.c[k] * f.c[k] + f.s[k] * f.s[k])));
+    sum = sum + Scalar(fourth_powers[k]) * Scalar(sqrt(Scalar(f.c[k] * f.c[k] + f.s[k] * f.s[k])));
   return sum;
 }
 
