@@ -53,11 +53,16 @@ constexpr std::array sources{"kinematics",
                              "batch",
                              "batch_derivatives",
                              "inverse_batch",
+                             "assembly",
                              "certified",
                              "mass",
                              "frames",
                              "geometry_jacobian",
                              "regressor_with_drives"};
+
+/// Sources of so many limbs have names that a build knows (runtime/cmake/qvgenGenerate.cmake). In C, other
+/// than in C++, a limb's code cannot stand in one source with another's.
+constexpr std::size_t most_limbs_in_c = 4;
 
 /// Returns the fingerprint of all files of these robots.
 std::string fingerprint(const fs::path& output, const std::vector<std::string>& robots) {
@@ -69,7 +74,7 @@ std::string fingerprint(const fs::path& output, const std::vector<std::string>& 
 
 /// Sources whose names, and being there, a build knows before anything is generated. They differ whenever a
 /// file of the robot does: a build system that has read what they include one build ago compiles them again.
-/// Limbs of a robot that branches are in the sources of the whole robot, the first one.
+/// Limbs of a robot that branches are in the sources of the whole robot, the first one, but in C.
 void write_sources(const GenerateArguments& arguments, const std::vector<std::string>& robots) {
   const std::string& robot = robots.front();
   const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
@@ -83,10 +88,19 @@ void write_sources(const GenerateArguments& arguments, const std::vector<std::st
     write(folder / name, mark + (code.empty() ? "struct qvgen_has_none;\n" : code));
   };
   if (comes_from_c(arguments.language)) {
-    const std::string name = "qvgen_" + fs::path(robot).filename().string();
-    write_code("robot.c", include(output / "c" / (name + ".c")));
-    for (const std::string part : {"inverse", "metrics", "velocity"})
-      write_code(part + ".c", include(output / "c" / (name + "_" + part + ".c")));
+    const auto code_of = [&](std::size_t i, const std::string& part) {
+      if (i >= robots.size()) return std::string();
+      return include(output / "c" / ("qvgen_" + fs::path(robots[i]).filename().string() + part + ".c"));
+    };
+    write_code("robot.c", code_of(0, ""));
+    for (const std::string part : {"inverse", "metrics", "velocity", "loops"})
+      write_code(part + ".c", code_of(0, "_" + part));
+    for (std::size_t i = 1; i <= most_limbs_in_c; ++i) {
+      const std::string limb = "limb_" + std::to_string(i);
+      write_code(limb + ".c", code_of(i, ""));
+      for (const std::string part : {"inverse", "metrics", "velocity"})
+        write_code(limb + "_" + part + ".c", code_of(i, "_" + part));
+    }
     return;
   }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";
@@ -117,10 +131,11 @@ void write_build_files(const GenerateArguments& arguments, const std::vector<std
     throw std::runtime_error("--sources is for C++ and C: others take the files as they are");
   if (arguments.descriptions.size() != 1)
     throw std::runtime_error("--sources is for one robot: compile the files that --outputs lists");
-  if (robots.size() != 1 && comes_from_c(arguments.language))
-    throw std::runtime_error(
-        "--sources is for one robot, and in C joints that branch make several: compile the files "
-        "that --outputs lists");
+  if (robots.size() > 1 + most_limbs_in_c && comes_from_c(arguments.language))
+    throw std::runtime_error(fmt::format(
+        "--sources is in C for at most {} limbs: compile the files that --outputs lists, or name fewer "
+        "tips",
+        most_limbs_in_c));
   write_sources(arguments, robots);
 }
 

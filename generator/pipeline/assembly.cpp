@@ -12,6 +12,7 @@
 #include "pipeline/assembly_values.h"
 #include "pipeline/limbs.h"
 #include "pipeline/loop_variants.h"
+#include "pipeline/six_rods.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
@@ -132,8 +133,22 @@ std::string closed_gap(const model::Mechanism& mechanism) {
   return fmt::format("{:.1e}", 1e-13 * std::max(numbers.size(), 1e-3));
 }
 
+/// Adds `assemble` of a platform on six rods; false for other mechanisms, and with the reason if that fails.
+bool add_six_rods(const model::Mechanism& mechanism, const LoopVariant& variant, Language language,
+                  json& values, std::string& reason) {
+  if (variant.function != "assemble" || !is_on_six_rods(mechanism)) return false;
+  try {
+    if (language != Language::cxx) throw std::domain_error("from the lengths of six rods they are in C++");
+    values["variants"].push_back(six_rods_variant(mechanism, variant, values["tips"]));
+  } catch (const std::domain_error& error) {
+    reason += "; " + std::string(error.what());
+    return false;
+  }
+  return values["has_rods"] = true;
+}
+
 void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
-                  RobotOutput& output, json& values) {
+                  Language language, RobotOutput& output, json& values) {
   values["variants"] = json::array();
   for (const PlannedVariant& each : plans) {
     if (each.assembly.found) {
@@ -141,7 +156,8 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
       continue;
     }
     if (each.variant.of_limb) continue;  // missed by the limb's inverse kinematics alone
-    const std::string reason = joined(each.assembly.reasons);
+    std::string reason = joined(each.assembly.reasons);
+    if (add_six_rods(mechanism, each.variant, language, values, reason)) continue;
     output.missing.push_back({each.variant.function, Missing::Kind::not_derived, reason});
     if (each.variant.function == "assemble") values["missing"] = {{"reason", reason}};
   }
@@ -164,10 +180,11 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
               {"tips", tips_of(mechanism, inverses_of(mechanism, has, plans, output))},
               {"enough", closed_gap(mechanism)},
               {"in_c", false},
+              {"has_rods", false},
               {"missing", false}};
   add_constraints(first_found(plans), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
-  add_variants(mechanism, plans, output, values);
+  add_variants(mechanism, plans, has.language, output, values);
   return values;
 }
 

@@ -277,6 +277,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
           {"given_flags", commas(flags(robot.joints.size(), assembly.known()))},
+          {"rods", false},
           {"has_gears", assembly.has_gears()},
           {"gears", values_of_gears(assembly, in_cpp())},
           {"given_angles", given_angles},

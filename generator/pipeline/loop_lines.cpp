@@ -6,6 +6,7 @@
 
 #include "pipeline/assembly.h"
 #include "pipeline/loop_variants.h"
+#include "pipeline/six_rods.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
@@ -30,6 +31,18 @@ std::vector<std::string> gear_lines(const model::Mechanism& mechanism,
   return lines;
 }
 
+/// The line of a platform on six rods from their lengths; empty for what is none, or cannot be counted.
+std::string line_of_places(const model::Mechanism& mechanism, const LoopVariant& variant) {
+  if (variant.function != "assemble") return "";
+  try {
+    const std::string places = text_of_places(mechanism);
+    if (places.empty()) return "";
+    return fmt::format("assemble from {}, in C++: {}", names_of(mechanism, variant.given), places);
+  } catch (const std::domain_error&) {
+    return "";
+  }
+}
+
 /// `only_found`: a plan that is not found is not mentioned.
 void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, bool steps, bool only_found,
               LoopLines& to) {
@@ -37,6 +50,8 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
   const std::string from = names_of(mechanism, variant.given);
   if (!assembly.found && only_found) return;
   if (!assembly.found) {
+    if (const std::string places = line_of_places(mechanism, variant); !places.empty())
+      return to.lines.push_back(places);
     to.lines.push_back(
         fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
     return;

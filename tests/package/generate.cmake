@@ -29,6 +29,7 @@ run("showing a known robot" ${tool} show ns)
 
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/generator/ DESTINATION ${WORK}/project)
 file(COPY_FILE ${QVGEN}/tests/c/robots/urdf_arm.urdf ${WORK}/project/some-arm.urdf)
+file(COPY_FILE ${QVGEN}/tests/loops/robots/four_bar.toml ${WORK}/project/four_bar.toml)
 function(describe length)
   file(WRITE ${WORK}/project/my_arm.toml "name = \"my_arm\"\ntitle = \"two links\"\n
 [[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"theta1\"\nlimits = [-3, ${length}]
@@ -46,6 +47,10 @@ run("configuring" ${configure} -B ${WORK}/build ${where})
 run("building" ${build})
 run("running" ${WORK}/build/own_arms 0.4)
 run("running C" ${WORK}/build/own_arms_in_c 0.4)
+run("running loops in C" ${WORK}/build/own_linkage_in_c)
+if(GENERATOR STREQUAL Ninja)
+  run("running loops" ${WORK}/build/own_linkage)
+endif()
 run("building what has not changed" ${build})
 if(output MATCHES "qvgen: |Building C")
   message(FATAL_ERROR "something was made anew though nothing has changed:\n${output}")
