@@ -104,16 +104,37 @@ const char* text_of(elimination::Pair pair) {
   }
 }
 
-/// The arm, or such arms as come of it by values of the joint that is given.
+/// Values of a given joint, rad or shares of the arm's size, and axes of the tool that a heading turns about.
+constexpr std::array sampled_values{0.7, 2.3, -1.6};
+const std::array sampled_headings{Vector3<double>(0.48, 0.6, 0.64), Vector3<double>(-0.64, 0.48, 0.6),
+                                  Vector3<double>(0.6, -0.64, -0.48)};
+
+elimination::Description with_given(const qvgen::inverse::ArmAtZero<six + 1>& arm, const Problem& problem,
+                                    double value) {
+  const double unit = problem.given_slides ? arm.tool.position.norm() : 1;
+  return elimination::description_of(qvgen::inverse::without_joint(arm, problem.given, value * unit));
+}
+
+/// The arm with a heading about such an axis of the tool, with the given joint at such a value.
+elimination::Description with_heading(const EliminationDerivation& derivation, std::size_t sample) {
+  using qvgen::inverse::with_tool_turn;
+  const Vector3<double>& axis = sampled_headings.at(sample);
+  if (derivation.problem.given < 0)
+    return elimination::description_of(with_tool_turn(derivation.arm_at_zero<six - 1>(), axis));
+  return with_given(with_tool_turn(derivation.arm_at_zero<six>(), axis), derivation.problem,
+                    sampled_values.at(sample));
+}
+
+/// The arm, or such arms as come of it by values of the joint that is given, and by inclinations.
 std::vector<elimination::Description> arms_of(const EliminationDerivation& derivation) {
   const Problem& problem = derivation.problem;
-  if (problem.given < 0) return {elimination::description_of(derivation.arm_at_zero<six>())};
-  const auto arm = derivation.arm_at_zero<six + 1>();
-  const double unit = problem.given_slides ? arm.tool.position.norm() : 1;
+  if (!problem.has_heading() && problem.given < 0)
+    return {elimination::description_of(derivation.arm_at_zero<six>())};
   std::vector<elimination::Description> arms;
-  for (const double value : {0.7, 2.3, -1.6})
-    arms.push_back(
-        elimination::description_of(qvgen::inverse::without_joint(arm, problem.given, value * unit)));
+  for (std::size_t i = 0; i < sampled_values.size(); ++i)
+    arms.push_back(problem.has_heading()
+                       ? with_heading(derivation, i)
+                       : with_given(derivation.arm_at_zero<six + 1>(), problem, sampled_values.at(i)));
   return arms;
 }
 
@@ -129,7 +150,9 @@ std::vector<Problem> problems_of(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   const model::Task task = robot.inverse.task.value_or(model::Task::pose);
   std::vector<Problem> result;
-  const bool gives_one = count == six + 1 || (count == six && task == model::Task::position_and_direction);
+  const bool leaves_heading = task == model::Task::position_and_inclination;
+  const bool gives_one =
+      count == six + 1 || (count == six && (leaves_heading || task == model::Task::position_and_direction));
   if (!gives_one && !robot.inverse.given.empty()) return result;
   if (count == six && task == model::Task::pose) result.push_back(problem_of(robot, task));
   if (count == six + 1 && task == model::Task::pose)
@@ -139,6 +162,10 @@ std::vector<Problem> problems_of(const Robot& robot) {
     for (const std::size_t joint : given_from_the_tool(robot))
       for (const model::Vector3& axis : tool_axes(robot.inverse))
         result.push_back(held(with_turn(problem_of(robot, task), axis), joint));
+  if (count == six && leaves_heading)
+    for (const std::size_t joint : given_from_the_tool(robot))
+      result.push_back(held(with_heading(problem_of(robot, task)), joint));
+  if (count + 1 == six && leaves_heading) result.push_back(with_heading(problem_of(robot, task)));
   const bool leaves_a_turn = task == model::Task::pose || task == model::Task::position_and_direction;
   if (count + 1 == six && leaves_a_turn)
     for (const model::Vector3& axis : tool_axes(robot.inverse)) {
@@ -152,8 +179,8 @@ std::vector<Problem> problems_of(const Robot& robot) {
 
 /// The arm of a problem with its geometry in numbers, the given joint, if there is one, at no place.
 Robot sample_arm(const Robot& described, const Problem& problem) {
-  return model::with_geometry(problem.given < 0 ? problem.robot : problem.moving,
-                              model::sample_geometry(described));
+  const Robot& arm = problem.has_heading() ? described : problem.given < 0 ? problem.robot : problem.moving;
+  return model::with_geometry(arm, model::sample_geometry(described));
 }
 
 /// Nothing if no elimination serves.
@@ -165,7 +192,7 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   const Placed placed(result.arm);
   result.joints = placed.joints;
   result.tool = placed.tool;
-  result.is_constant = problem.given < 0 && is_in_numbers(described);
+  result.is_constant = problem.given < 0 && !problem.has_heading() && is_in_numbers(described);
   const std::vector<elimination::Description> arms = arms_of(result);
   result.choices = elimination::choose(arms.data(), static_cast<int>(arms.size()));
   if (result.choices.count == 0) return std::nullopt;
