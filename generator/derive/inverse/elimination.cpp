@@ -6,6 +6,7 @@
 
 #include <qvgen/inverse/elimination/any_arm.h>
 
+#include "derive/inverse/elimination_choice.h"
 #include "derive/inverse/requests.h"
 #include "derive/inverse/scope.h"
 #include "exact/named_constant.h"
@@ -104,40 +105,6 @@ const char* text_of(elimination::Pair pair) {
   }
 }
 
-/// Values of a given joint, rad or shares of the arm's size, and axes of the tool that a heading turns about.
-constexpr std::array sampled_values{0.7, 2.3, -1.6};
-const std::array sampled_headings{Vector3<double>(0.48, 0.6, 0.64), Vector3<double>(-0.64, 0.48, 0.6),
-                                  Vector3<double>(0.6, -0.64, -0.48)};
-
-elimination::Description with_given(const qvgen::inverse::ArmAtZero<six + 1>& arm, const Problem& problem,
-                                    double value) {
-  const double unit = problem.given_slides ? arm.tool.position.norm() : 1;
-  return elimination::description_of(qvgen::inverse::without_joint(arm, problem.given, value * unit));
-}
-
-/// The arm with a heading about such an axis of the tool, with the given joint at such a value.
-elimination::Description with_heading(const EliminationDerivation& derivation, std::size_t sample) {
-  using qvgen::inverse::with_tool_turn;
-  const Vector3<double>& axis = sampled_headings.at(sample);
-  if (derivation.problem.given < 0)
-    return elimination::description_of(with_tool_turn(derivation.arm_at_zero<six - 1>(), axis));
-  return with_given(with_tool_turn(derivation.arm_at_zero<six>(), axis), derivation.problem,
-                    sampled_values.at(sample));
-}
-
-/// The arm, or such arms as come of it by values of the joint that is given, and by inclinations.
-std::vector<elimination::Description> arms_of(const EliminationDerivation& derivation) {
-  const Problem& problem = derivation.problem;
-  if (!problem.has_heading() && problem.given < 0)
-    return {elimination::description_of(derivation.arm_at_zero<six>())};
-  std::vector<elimination::Description> arms;
-  for (std::size_t i = 0; i < sampled_values.size(); ++i)
-    arms.push_back(problem.has_heading()
-                       ? with_heading(derivation, i)
-                       : with_given(derivation.arm_at_zero<six + 1>(), problem, sampled_values.at(i)));
-  return arms;
-}
-
 /// The problem with a joint held, which knows the arm with that joint moving.
 Problem held(const Problem& problem, std::size_t joint) {
   Problem result = with_held(problem, joint);
@@ -193,10 +160,8 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   result.joints = placed.joints;
   result.tool = placed.tool;
   result.is_constant = problem.given < 0 && !problem.has_heading() && is_in_numbers(described);
-  const std::vector<elimination::Description> arms = arms_of(result);
-  result.choices = elimination::choose(arms.data(), static_cast<int>(arms.size()));
+  choose_eliminations(result);
   if (result.choices.count == 0) return std::nullopt;
-  result.setup = elimination::set_up(arms.front());
   return result;
 }
 
