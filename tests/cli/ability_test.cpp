@@ -145,6 +145,10 @@ TEST_F(Ability, OfAPositionAndAnInclination) {
       "about the first axis, is not used.");
   EXPECT_THAT(of(arm(std::string(five_servos) + "; Ry 0.1 0 0", task)),
               testing::HasSubstr("as the tool sees it with q6 given by the caller: "));
+  EXPECT_THAT(
+      of(arm(five_joints, task)),
+      testing::AllOf(testing::HasSubstr("no structure that a closed form needs. At most 16 solutions"),
+                     testing::EndsWith("Below, heading is the heading, which is left open.")));
 }
 
 constexpr const char* six_joints = "Rz 0 0 0.5; Ry 0.4 0 0; Ry 0.4 0 0; Rx 0.1 0 0; Ry 0 0 0; Rx 0.1 0 0";
@@ -186,8 +190,8 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(five_servos, "tool_axis = \"+x\"\n"),
           "it may be asked for task = \"position_and_pitch\", with joint 5 given");
   refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");
-  refused(arm(five_joints, "task = \"position_and_inclination\"\n"),
-          "joints 2, 3 and 4 do not move in one plane");
+  refused(arm("Px; Py; Pz; Rz 0 0 0.1; Ry 0.1 0 0", "task = \"position_and_inclination\"\n"),
+          "by elimination: more than two of the joints slide");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q4, q5\"\n"),
           "of the 2 given joints all but one have to be the first or the last of the arm");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");

@@ -31,6 +31,12 @@ Eigen::Vector3d Case::axis(int joint, const Eigen::VectorXd& q) const {
   return reference::joint_places(chain_, q)[static_cast<std::size_t>(joint)].axis;
 }
 
+int Case::base_joint() const {
+  int joint = 0;
+  while (joint == robot_.info.given_joint || !revolute(joint)) ++joint;
+  return joint;
+}
+
 int Case::pitch_joint() const {
   int joint = base_joint() + 1;
   while (joint == robot_.info.given_joint || !revolute(joint)) ++joint;

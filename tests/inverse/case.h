@@ -70,9 +70,9 @@ class Case {
   /// Returns the residual to the target, in the rows of `jacobian`: displacement, then rotation vector.
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
-  /// Joints and pitch of an arm that is asked for a pitch: the joint that turns all of it, the first of those
+  /// Joints and pitch of an arm that is asked for a pitch: the first that turns all of it, the first of those
   /// that the pitch is counted about, and the pitch, by the axes as they are with the first joint at zero.
-  [[nodiscard]] int base_joint() const { return robot_.info.given_joint == 0 ? 1 : 0; }
+  [[nodiscard]] int base_joint() const;
   [[nodiscard]] int pitch_joint() const;
   [[nodiscard]] double pitch(const Eigen::VectorXd& q) const;
 
@@ -87,7 +87,7 @@ class Case {
   /// q moved by a step of the joints that are solved for.
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
 
-  /// The first joint's axis as a tool there sees it.
+  /// The axis of the first joint that turns and is not given, as a tool there sees it.
   [[nodiscard]] Eigen::Vector3d base_seen(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) const {
     return tool.linear().transpose() * axis(base_joint(), q);
   }

@@ -6,6 +6,7 @@
 
 #include <qvgen/inverse/elimination/any_arm.h>
 
+#include "derive/inverse/elimination_choice.h"
 #include "derive/inverse/requests.h"
 #include "derive/inverse/scope.h"
 #include "exact/named_constant.h"
@@ -104,19 +105,6 @@ const char* text_of(elimination::Pair pair) {
   }
 }
 
-/// The arm, or such arms as come of it by values of the joint that is given.
-std::vector<elimination::Description> arms_of(const EliminationDerivation& derivation) {
-  const Problem& problem = derivation.problem;
-  if (problem.given < 0) return {elimination::description_of(derivation.arm_at_zero<six>())};
-  const auto arm = derivation.arm_at_zero<six + 1>();
-  const double unit = problem.given_slides ? arm.tool.position.norm() : 1;
-  std::vector<elimination::Description> arms;
-  for (const double value : {0.7, 2.3, -1.6})
-    arms.push_back(
-        elimination::description_of(qvgen::inverse::without_joint(arm, problem.given, value * unit)));
-  return arms;
-}
-
 /// The problem with a joint held, which knows the arm with that joint moving.
 Problem held(const Problem& problem, std::size_t joint) {
   Problem result = with_held(problem, joint);
@@ -129,7 +117,9 @@ std::vector<Problem> problems_of(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   const model::Task task = robot.inverse.task.value_or(model::Task::pose);
   std::vector<Problem> result;
-  const bool gives_one = count == six + 1 || (count == six && task == model::Task::position_and_direction);
+  const bool leaves_heading = task == model::Task::position_and_inclination;
+  const bool gives_one =
+      count == six + 1 || (count == six && (leaves_heading || task == model::Task::position_and_direction));
   if (!gives_one && !robot.inverse.given.empty()) return result;
   if (count == six && task == model::Task::pose) result.push_back(problem_of(robot, task));
   if (count == six + 1 && task == model::Task::pose)
@@ -139,6 +129,10 @@ std::vector<Problem> problems_of(const Robot& robot) {
     for (const std::size_t joint : given_from_the_tool(robot))
       for (const model::Vector3& axis : tool_axes(robot.inverse))
         result.push_back(held(with_turn(problem_of(robot, task), axis), joint));
+  if (count == six && leaves_heading)
+    for (const std::size_t joint : given_from_the_tool(robot))
+      result.push_back(held(with_heading(problem_of(robot, task)), joint));
+  if (count + 1 == six && leaves_heading) result.push_back(with_heading(problem_of(robot, task)));
   const bool leaves_a_turn = task == model::Task::pose || task == model::Task::position_and_direction;
   if (count + 1 == six && leaves_a_turn)
     for (const model::Vector3& axis : tool_axes(robot.inverse)) {
@@ -152,8 +146,8 @@ std::vector<Problem> problems_of(const Robot& robot) {
 
 /// The arm of a problem with its geometry in numbers, the given joint, if there is one, at no place.
 Robot sample_arm(const Robot& described, const Problem& problem) {
-  return model::with_geometry(problem.given < 0 ? problem.robot : problem.moving,
-                              model::sample_geometry(described));
+  const Robot& arm = problem.has_heading() ? described : problem.given < 0 ? problem.robot : problem.moving;
+  return model::with_geometry(arm, model::sample_geometry(described));
 }
 
 /// Nothing if no elimination serves.
@@ -165,11 +159,9 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   const Placed placed(result.arm);
   result.joints = placed.joints;
   result.tool = placed.tool;
-  result.is_constant = problem.given < 0 && is_in_numbers(described);
-  const std::vector<elimination::Description> arms = arms_of(result);
-  result.choices = elimination::choose(arms.data(), static_cast<int>(arms.size()));
+  result.is_constant = problem.given < 0 && !problem.has_heading() && is_in_numbers(described);
+  choose_eliminations(result);
   if (result.choices.count == 0) return std::nullopt;
-  result.setup = elimination::set_up(arms.front());
   return result;
 }
 

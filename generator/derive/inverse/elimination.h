@@ -12,17 +12,19 @@
 namespace qvgen::derive::inverse {
 
 /// An arm that comes down to six joints whose axes have no structure to make use of: six of its own, five
-/// and the turn about a tool axis that is left, or seven of which one is given. Solved by the elimination of
-/// the runtime.
+/// and the turn about a tool axis or the heading that is left, or seven of which one is given. Solved by the
+/// elimination of the runtime.
 struct EliminationDerivation {
-  Problem problem;   ///< of the described arm, in its own frames
-  model::Robot arm;  ///< with the turn that is left and the joint that is given, its geometry in numbers
+  Problem problem;  ///< of the described arm, in its own frames
+  /// With the turn that is left, unless it is a heading, and the joint that is given; its geometry in
+  /// numbers.
+  model::Robot arm;
   std::vector<qvgen::inverse::Screw<double>> joints;  ///< of it at the zero pose
   Pose<double> tool;
   /// All that does not depend on the pose: where the geometry has symbols or a joint is given, of one such
   /// arm, for people.
   qvgen::inverse::elimination::Setup setup;
-  bool is_constant = true;
+  bool is_constant = true;  ///< no symbols, no given joint, no heading: set up before any pose is known
   qvgen::inverse::elimination::Choices choices;  ///< for arms that are set up at run time
 
   template <int dof>

@@ -62,6 +62,16 @@ bool Problem::has_phases() const {
                      [](const exact::Angle& phase) { return !(phase == exact::Angle{}); });
 }
 
+bool Problem::has_heading() const {
+  return task == model::Task::position_and_inclination && row_size > own_joints;
+}
+
+int Problem::heading_joint() const {
+  std::size_t joint = 0;
+  while (robot.joints[joint].type != model::JointType::revolute) ++joint;
+  return places[joint];
+}
+
 Problem problem_of(const Robot& robot, model::Task task) {
   Problem problem;
   problem.robot = robot;
@@ -79,6 +89,10 @@ Problem with_turn(const Problem& problem, const model::Vector3& axis) {
 
 Problem with_slide(const Problem& problem, const model::Vector3& axis) {
   return with_joint(problem, model::JointType::prismatic, "toolslide", axis);
+}
+
+Problem with_heading(const Problem& problem) {
+  return with_joint(problem, model::JointType::revolute, "heading", model::unit_vector(2));
 }
 
 Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {

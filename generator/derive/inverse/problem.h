@@ -38,6 +38,11 @@ struct Problem {
   std::vector<exact::Angle> phases;  ///< by places in a row: its values are those described plus these
 
   [[nodiscard]] bool has_phases() const;
+  /// True if the heading that the task leaves is a virtual joint.
+  [[nodiscard]] bool has_heading() const;
+  /// Returns the joint about whose axis a heading turns, by its place in a row: the first of those that are
+  /// solved for that turns.
+  [[nodiscard]] int heading_joint() const;
 };
 
 /// The arm itself.
@@ -45,6 +50,9 @@ Problem problem_of(const model::Robot& robot, model::Task task);
 /// The arm with one more joint, about or along a direction of the tool's frame, through the tool point.
 Problem with_turn(const Problem& problem, const model::Vector3& axis);
 Problem with_slide(const Problem& problem, const model::Vector3& axis);
+/// The arm with the turn that an inclination leaves as one more joint, through the tool point. Its axis comes
+/// with the pose: here it is the tool's z.
+Problem with_heading(const Problem& problem);
 /// The arm in other frames, those in front of its first joint and behind the last taken off where they are
 /// oblique. Before a joint is held.
 Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm);

@@ -48,8 +48,9 @@ std::string virtual_joints(const Problem& problem) {
   for (std::size_t i = static_cast<std::size_t>(problem.own_joints); i < joints.size(); ++i)
     text +=
         fmt::format(" Below, {} is {}.", joints[i].variable,
-                    joints[i].type == model::JointType::revolute ? "the turn of the tool that is left open"
-                                                                 : "a slide of the tool, which ends at zero");
+                    joints[i].type != model::JointType::revolute ? "a slide of the tool, which ends at zero"
+                    : problem.has_heading()                      ? "the heading, which is left open"
+                                                                 : "the turn of the tool that is left open");
   return text;
 }
 

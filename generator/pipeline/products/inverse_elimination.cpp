@@ -22,28 +22,42 @@ using derive::inverse::EliminationDerivation;
 using nlohmann::json;
 using Rows = std::vector<std::vector<double>>;
 
+/// Returns the values of the derivation's joints, without a heading behind them.
 template <int dof>
-Rows rows_of(const Solutions<dof, elimination::most_solutions>& found) {
+Rows rows_of(const EliminationDerivation& derivation,
+             const Solutions<dof, elimination::most_solutions>& found) {
   Rows rows;
-  for (const auto& row : found) rows.emplace_back(row.q.data(), row.q.data() + row.q.size());
+  for (const auto& row : found) rows.emplace_back(row.q.data(), row.q.data() + derivation.joints.size());
   return rows;
+}
+
+/// Returns the arm that `dof` joints solve a pose of, one of them given where they are seven.
+template <int dof>
+inverse::ArmAtZero<dof> row_arm(const EliminationDerivation& derivation, const Pose<double>& pose,
+                                double given) {
+  const derive::inverse::Problem& problem = derivation.problem;
+  if (!problem.has_heading()) return derivation.arm_at_zero<dof>();
+  return elimination::with_heading(derivation.arm_at_zero<dof - 1>(),
+                                   {problem.heading_joint(), problem.given}, pose, given);
 }
 
 /// By the functions that the generated code calls.
 Rows solved(const EliminationDerivation& derivation, const Pose<double>& pose,
             const std::vector<double>& sampled) {
   constexpr inverse::Form form = inverse::Form::scalar;
-  const int given = derivation.problem.given;
-  if (given >= 0)
-    return rows_of(elimination::solve_given(derivation.arm_at_zero<elimination::joints + 1>(), given,
-                                            sampled[static_cast<std::size_t>(given)], derivation.choices,
-                                            pose, inverse::default_tolerance,
-                                            inverse::zero_preference<elimination::joints + 1>, form));
-  const auto arm = elimination::description_of(derivation.arm_at_zero<elimination::joints>());
+  constexpr int six = elimination::joints;
+  if (const int given = derivation.problem.given; given >= 0) {
+    const double value = sampled[static_cast<std::size_t>(given)];
+    const auto arm = row_arm<six + 1>(derivation, pose, value);
+    return rows_of(derivation, elimination::solve_given(arm, given, value, derivation.choices, pose,
+                                                        inverse::default_tolerance,
+                                                        inverse::zero_preference<six + 1>, form));
+  }
+  const auto arm = elimination::description_of(row_arm<six>(derivation, pose, 0));
   elimination::Found found;
   elimination::solve(derivation.is_constant ? derivation.setup : set_up_first(arm, derivation.choices), pose,
-                     inverse::default_tolerance, inverse::zero_preference<elimination::joints>, form, found);
-  return rows_of(found);
+                     inverse::default_tolerance, inverse::zero_preference<six>, form, found);
+  return rows_of(derivation, found);
 }
 
 verify::RowCertificate certify(const EliminationDerivation& derivation) {
@@ -53,7 +67,8 @@ verify::RowCertificate certify(const EliminationDerivation& derivation) {
                             Vector3<double>(numbers[4], numbers[5], numbers[6])};
     return solved(derivation, pose, sampled);
   };
-  return verify::certify_rows(derivation.arm, {}, derivation.setup.chain.size, solver, poses);
+  const int heading = derivation.problem.has_heading() ? derivation.problem.heading_joint() : -1;
+  return verify::certify_rows(derivation.arm, {}, derivation.setup.chain.size, solver, poses, heading);
 }
 
 /// Returns the header's note on the time that a set-up takes, and on what may be missing.
@@ -63,7 +78,10 @@ std::string by_elimination(const EliminationDerivation& derivation) {
       "/// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have "
       "been found;\n"
       "/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.";
-  if (!derivation.is_constant)
+  if (derivation.problem.has_heading())
+    text +=
+        "\n/// What the inclination says is worked out at every call, as are the geometry and a given joint.";
+  else if (!derivation.is_constant)
     text += "\n/// What the geometry or a given joint says is worked out at every call.";
   return text;
 }
@@ -84,6 +102,7 @@ json variant(const model::Robot& described, const EliminationDerivation& derivat
   values.update(json{{"elimination", true},
                      {"by_elimination", by_elimination(derivation)},
                      {"constant", derivation.is_constant},
+                     {"heading", derivation.problem.has_heading()},
                      {"setup", emit::lines_of(setup)},
                      {"choice_count", derivation.choices.count},
                      {"choices", choices_text(derivation.choices)},

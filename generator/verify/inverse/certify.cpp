@@ -7,6 +7,7 @@
 #include "model/evaluate.h"
 #include "model/tasks.h"
 #include "verify/certificate.h"
+#include "verify/inverse/but_heading.h"
 #include "verify/inverse/described_arm.h"
 #include "verify/inverse/execute.h"
 
@@ -33,33 +34,6 @@ Pair asked(Pair pose, model::Task task) {
   if (!asks_for_position(task)) pose.p = {0, 0, 0};
   if (!asks_for_orientation(task)) pose.q = {1, 0, 0, 0};
   return pose;
-}
-
-/// The direction of the first joint that is solved for, of any length, as the tool sees it at those joints.
-std::array<Real, 3> base_seen_by_tool(const Problem& problem, const DescribedArm& arm,
-                                      const std::vector<Real>& q) {
-  std::vector<Real> turned = q;
-  turned[static_cast<std::size_t>(problem.places.front())] =
-      turned[static_cast<std::size_t>(problem.places.front())] + Real(1);
-  // conj(after) before: minus the turn about the axis, in the tool's frame, which it leaves where it is.
-  const Quaternion turn = product(conjugate(arm.pose(q).q), arm.pose(turned).q);
-  return {turn[1], turn[2], turn[3]};
-}
-
-/// How far rows with those joints are from another's position and inclination.
-double difference_but_heading(const Problem& problem, const DescribedArm& arm, const std::vector<Real>& a,
-                              const std::vector<Real>& b) {
-  const Pair at = arm.pose(a), other = arm.pose(b);
-  const std::array<Real, 3> seen = base_seen_by_tool(problem, arm, a),
-                            by_other = base_seen_by_tool(problem, arm, b);
-  // A quaternion's sign means nothing.
-  const Real with = seen[0] * by_other[0] + seen[1] * by_other[1] + seen[2] * by_other[2];
-  const Real sign = with.to_double() < 0 ? Real(-1) : Real(1);
-  Real worst(0);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const Real& gap : {abs(at.p[i] - other.p[i]), abs(seen[i] - sign * by_other[i])})
-      worst = gap > worst ? gap : worst;
-  return worst.to_double();
 }
 
 /// Differences of two poses and of two joint vectors, orientations up to sign, angles up to whole turns.
@@ -137,8 +111,9 @@ InverseCertificate certify_inverse(const Problem& problem, const LoweredPlan& pl
     bool sampled = false;
     for (const Row& of_plan : execute(plan, values)) {
       const std::vector<Real> row = arm.row(of_plan, q);
-      const double off = model::leaves_heading(problem.task) ? difference_but_heading(problem, arm, row, q)
-                                                             : difference(arm.pose(row), pose, problem.task);
+      const double off = model::leaves_heading(problem.task)
+                             ? difference_but_heading(arm, row, q, problem.heading_joint())
+                             : difference(arm.pose(row), pose, problem.task);
       if (off > fifty_digits) {
         if (plan.plan.candidates) continue;
         throw CertificateError("inverse kinematics: a solution does not give the pose back");

@@ -6,6 +6,7 @@
 
 #include "exact/named_constant.h"
 #include "verify/certificate.h"
+#include "verify/inverse/but_heading.h"
 #include "verify/inverse/definition.h"
 
 namespace qvgen::verify {
@@ -45,7 +46,7 @@ std::string RowCertificate::text() const {
 }
 
 RowCertificate certify_rows(const model::Robot& robot, const model::Bindings& geometry, double size,
-                            const RowSolver& solver, int poses) {
+                            const RowSolver& solver, int poses, int heading) {
   RowCertificate certificate;
   Numbers numbers;
   model::Bindings constants = geometry;
@@ -62,7 +63,9 @@ RowCertificate certify_rows(const model::Robot& robot, const model::Bindings& ge
     for (const std::vector<double>& row : solver(in_doubles(pose), sample)) {
       std::vector<Real> values;
       for (const double x : row) values.emplace_back(x);
-      if (!(difference(definition.pose(values), pose, size) < 1e-12))
+      const double off = heading < 0 ? difference(definition.pose(values), pose, size)
+                                     : difference_but_heading(definition, values, q, heading, size);
+      if (!(off < 1e-12))
         throw CertificateError("inverse kinematics: a solution does not give the pose back");
       sampled = sampled || difference(robot, row, q) < 1e-6;
       ++certificate.solutions;

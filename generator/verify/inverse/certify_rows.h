@@ -27,8 +27,9 @@ struct RowCertificate {
 /// Runs a numerical solver, the very code that users run, at random joints of an arm: the sampled
 /// joints must be among the rows, to 1e-6, and every row must give the pose back to 1e-12, by a forward
 /// kinematics of sixty digits. Throws CertificateError otherwise.
-/// `geometry`: values of the arm's symbols.
+/// `geometry`: values of the arm's symbols. `heading`: a joint about whose axis the poses may be turned,
+/// since what is asked for leaves that heading; -1 for none.
 RowCertificate certify_rows(const model::Robot& robot, const model::Bindings& geometry, double size,
-                            const RowSolver& solver, int poses);
+                            const RowSolver& solver, int poses, int heading = -1);
 
 }  // namespace qvgen::verify

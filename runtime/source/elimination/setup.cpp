@@ -70,16 +70,17 @@ struct Trial {
   [[nodiscard]] int score() const { return 80 * missing + 10 * doubtful + magnified; }
 };
 
+void try_at(const Chain& chain, const Elimination& e, const JointPairs& q, Trial& trial) {
+  Gathered found;
+  pass_for_all->eliminate(chain, e, reached(chain, q), default_tolerance, found);
+  trial.missing += has_row(found, q) ? 0 : 1;
+  trial.doubtful += found.doubtful || found.has_twins ? 1 : 0;
+  trial.magnified += found.magnified;
+}
+
 Trial tried(const Chain& chain, const Elimination& e) {
   Trial trial;
-  for (int i = 0; i < trials; ++i) {
-    const JointPairs q = sampled_joints(chain, i);
-    Gathered found;
-    pass_for_all->eliminate(chain, e, reached(chain, q), default_tolerance, found);
-    trial.missing += has_row(found, q) ? 0 : 1;
-    trial.doubtful += found.doubtful || found.has_twins ? 1 : 0;
-    trial.magnified += found.magnified;
-  }
+  for (int i = 0; i < trials; ++i) try_at(chain, e, sampled_joints(chain, i), trial);
   return trial;
 }
 
@@ -92,27 +93,26 @@ bool is_eligible(const Chain& chain) {
 
 }  // namespace
 
-Choices choose(const Description* arms, int count) {
-  struct Candidate {
-    Choice choice;
-    int missing, score;
-  };
+namespace {
+
+/// An elimination of several arms: how often it misses joints, and its score.
+struct Candidate {
+  Choice choice;
+  int missing, score;
+};
+
+/// The eliminations that miss few joints, the best first. `serves(choice, i, candidate)`: adds what the i-th
+/// arm says, false if it does not admit the choice. `poses`: how many are tried.
+template <class Serves>
+Choices best_of(int count, int poses, const Serves& serves) {
   Candidate candidates[Choices::most];
   int found = 0;
   for (const bool backwards : {false, true})
     for (int shift = 0; shift < 3; ++shift) {
       Candidate& candidate = candidates[found] = {{backwards, shift}, 0, 0};
-      bool serves = count > 0;
-      for (int i = 0; i < count && serves; ++i) {
-        const Chain chain = chain_of(arms[i]);
-        Elimination elimination;
-        serves = is_eligible(chain) && eliminate(chain, backwards, shift, elimination);
-        if (!serves) break;
-        const Trial trial = tried(chain, elimination);
-        candidate.missing += trial.missing;
-        candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 * trials / 4 : 0);
-      }
-      if (serves && candidate.missing <= count * trials / 8) ++found;
+      bool all = count > 0;
+      for (int i = 0; i < count && all; ++i) all = serves(i, candidate);
+      if (all && candidate.missing <= poses / 8) ++found;
     }
   std::stable_sort(candidates, candidates + found,
                    [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
@@ -121,6 +121,46 @@ Choices choose(const Description* arms, int count) {
   choices.score = found > 0 ? candidates[0].score : 0;
   for (int i = 0; i < found; ++i) choices.choice[i] = candidates[i].choice;
   return choices;
+}
+
+bool is_set_up(const Chain& chain, const Choice& choice, Elimination& result) {
+  return is_eligible(chain) && eliminate(chain, choice.backwards, choice.shift, result);
+}
+
+JointPairs pairs_at(const Chain& chain, const double* joint_values) {
+  JointPairs q;
+  for (int j = 0; j < joints; ++j) {
+    q.cosine[j] = chain.slides[j] ? joint_values[j] : std::cos(joint_values[j]);
+    q.sine[j] = chain.slides[j] ? 0 : std::sin(joint_values[j]);
+  }
+  return q;
+}
+
+}  // namespace
+
+Choices choose(const Description* arms, int count) {
+  return best_of(count, count * trials, [&](int i, Candidate& candidate) {
+    const Chain chain = chain_of(arms[i]);
+    Elimination elimination;
+    if (!is_set_up(chain, candidate.choice, elimination)) return false;
+    const Trial trial = tried(chain, elimination);
+    candidate.missing += trial.missing;
+    candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 * trials / 4 : 0);
+    return true;
+  });
+}
+
+Choices choose(const Sample* samples, int count) {
+  return best_of(count, count, [&](int i, Candidate& candidate) {
+    const Chain chain = chain_of(samples[i].arm);
+    Elimination elimination;
+    if (!is_set_up(chain, candidate.choice, elimination)) return false;
+    Trial trial;
+    try_at(chain, elimination, pairs_at(chain, samples[i].joints), trial);
+    candidate.missing += trial.missing;
+    candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 / 4 : 0);
+    return true;
+  });
 }
 
 namespace {
@@ -147,6 +187,10 @@ Setup set_up(const Description& arm) {
   Setup setup = set_up(arm, choose(&arm, 1), most_eliminations);
   setup.further.count = 0;
   return setup;
+}
+
+Setup set_up(const Description& arm, const Choices& choices) {
+  return set_up(arm, choices, most_eliminations);
 }
 
 Setup set_up_first(const Description& arm, const Choices& choices) { return set_up(arm, choices, 1); }

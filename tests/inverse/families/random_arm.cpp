@@ -11,6 +11,7 @@
 #include "cut_arms.h"
 #include "directed_arms.h"
 #include "five_arms.h"
+#include "heading_arms.h"
 #include "inclined_arms.h"
 #include "other_zeros.h"
 #include "pitched_arms.h"
@@ -106,6 +107,16 @@ class Writer {
                        "task = \"position_and_inclination\"\n" + given_key(given));
   }
 
+  /// Five joints of any geometry, or six of which one is given, that a position and an inclination determine:
+  /// at most one of those that are solved for slides, and no axis is parallel to the next but by chance.
+  std::string heading() {
+    const int given = below(3) == 0 ? below(6) : -1;
+    const int count = given < 0 ? 5 : 6;
+    const int slide = below(2) == 0 ? below(count) : -1;
+    return description("random arm with a heading", skew_joints(count, slide, -1),
+                       "task = \"position_and_inclination\"\n" + given_key(given));
+  }
+
   /// Six joints with a wrist or three parallel axes; the generator chooses the one to give.
   std::string directed(const std::string& keys) {
     const bool meet = below(2) == 0;
@@ -126,6 +137,13 @@ class Writer {
     const int count = 5 + static_cast<int>(random_() % 3);
     const int slide = below(3) == 0 ? below(count) : -1;
     const int other = slide >= 0 && below(2) == 0 ? (slide + 1 + below(count - 1)) % count : -1;
+    return description("random arm without structure", skew_joints(count, slide, other),
+                       count == 7 ? "given = \"q4\"\n" : "");
+  }
+
+ private:
+  /// Joints of which two may slide; no two axes meet or are parallel but by chance.
+  std::string skew_joints(int count, int slide, int other) {
     std::string joints;
     for (int i = 0; i < count; ++i) {
       Axis along = axis();
@@ -136,10 +154,9 @@ class Writer {
       const bool has_tool = i + 1 == count && !slides;
       joints += joint(i, !slides, along, origin, has_tool ? offset() : "[0, 0, 0]");
     }
-    return description("random arm without structure", joints, count == 7 ? "given = \"q4\"\n" : "");
+    return joints;
   }
 
- private:
   /// A turn, then turns about `common` and at most one slide across it, the last of the three a turn; with
   /// `count` 5 a roll. One joint more stands at `given`, if that is not negative.
   std::string turned_plane(const Axis& common, int given, int count) {
@@ -364,6 +381,10 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
   if (family == "inclined")
     return built_or_random(name, seed, inclined_arms,
                            "title = \"inclined\"\ntask = \"position_and_inclination\"\n", &Writer::inclined);
+  if (family == "heading")
+    return built_or_random(name, seed, heading_arms,
+                           "title = \"with a heading\"\ntask = \"position_and_inclination\"\n",
+                           &Writer::heading);
   if (family == "directed") {
     const std::string keys = "task = \"position_and_direction\"\n";
     return seed < directed_arms.size() ? "name = \"" + name + "\"\ntitle = \"with a direction\"\n" + keys +

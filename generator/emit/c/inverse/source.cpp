@@ -79,7 +79,7 @@ Argument inclined(const model::Robot& described, const Problem& problem) {
       problem.given < 0 ? "0" : "given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
   return {"const double position[3], const double up[3]",
           "position, up",
-          {"const HeadingJoints joints = {" + std::to_string(problem.places[0]) + ", " +
+          {"const HeadingJoints joints = {" + std::to_string(problem.heading_joint()) + ", " +
                std::to_string(problem.given) + "};",
            "const Pose pose = inclined_pose(&arm, joints, position, up, " + given + ");"},
           true};

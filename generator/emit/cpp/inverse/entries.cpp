@@ -68,13 +68,18 @@ Argument pitched(const model::Robot& described, const Problem& problem) {
           false};
 }
 
+/// Returns the joints that a heading is about, as the runtime's HeadingJoints.
+std::string heading_joints(const Problem& problem) {
+  return "inverse::HeadingJoints{" + std::to_string(problem.heading_joint()) + ", " +
+         std::to_string(problem.given) + "}";
+}
+
 Argument inclined(const model::Robot& described, const Problem& problem) {
-  const int base = problem.places[0];
+  const int base = problem.heading_joint();
   const std::string given =
       problem.given < 0 ? ""
                         : ", given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
-  const std::string pose = "inverse::pose_of(task, arm, inverse::HeadingJoints{" + std::to_string(base) +
-                           ", " + std::to_string(problem.given) + "}" + given + ")";
+  const std::string pose = "inverse::pose_of(task, arm, " + heading_joints(problem) + given + ")";
   return {"const PositionAndInclination<double>& task",
           "task",
           "a position of the tool point and the direction of the axis of " +
@@ -119,20 +124,30 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
                "Pose<double>{Eigen::Quaternion<double>::Identity(), position}", "", false});
 }
 
+/// Returns the arm with the heading as one more joint, for `pose`.
+std::string with_heading(const Problem& problem, const std::string& arm, const json& variant) {
+  return "inverse::elimination::with_heading(" + arm + ", " + heading_joints(problem) + ", pose" +
+         variant["given_last_argument"].get<std::string>() + ")";
+}
+
 /// Lines that say what is asked for: `pose`, and `preference` next to a seed.
 std::vector<std::string> task_lines(const Problem& problem, const Argument& argument, Filter filter,
                                     bool seeded, const json& variant) {
   const std::string& pose = seeded ? argument.seeded : argument.pose;
   std::vector<std::string> lines;
-  if (filter != Filter::none || pose.find("arm") != std::string::npos)
+  const bool needs_heading = seeded && problem.has_heading();
+  if (filter != Filter::none || needs_heading || pose.find("arm") != std::string::npos)
     lines.push_back("const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);");
   if (pose != argument.name || !argument.is_pose) lines.push_back("const Pose<double> pose = " + pose + ";");
   const std::string row = variant["virtual_joints"].get<bool>()
                               ? "row_preference<" + std::to_string(problem.row_size) + ", dof>"
                               : std::string("preference<dof>");
-  if (seeded)
-    lines.push_back("const auto preference = inverse::" + row + "(" + variant["seed"].get<std::string>() +
-                    ");");
+  const std::string seed = variant["seed"];
+  if (needs_heading)
+    lines.push_back("const auto preference = inverse::elimination::heading_preference<dof>(" +
+                    with_heading(problem, "arm", variant) + ", " + seed + ", pose);");
+  else if (seeded)
+    lines.push_back("const auto preference = inverse::" + row + "(" + seed + ");");
   return lines;
 }
 
@@ -203,8 +218,10 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
       variant["fits_limits"].get<bool>() && has_first_pass && problem.filter == Filter::none;
   variant["nearest_in_lanes"] = variant["limits_early"].get<bool>() && variant["lanes"].is_object();
   variant["row_kinds"] = has_virtual_joints ? "row_is_revolute" : "is_revolute";
-  variant["row_arm"] = row_arm(problem, has_virtual_joints,
-                               "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");
+  variant["row_arm"] = problem.has_heading()
+                           ? with_heading(problem, "arm_at_zero(g)", variant)
+                           : row_arm(problem, has_virtual_joints,
+                                     "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");
   std::string kinds;
   for (const model::Joint& joint : robot.joints)
     kinds += joint.type == model::JointType::revolute ? "true, " : "false, ";

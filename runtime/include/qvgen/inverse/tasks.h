@@ -167,11 +167,9 @@ struct HeadingJoints {
   int given = -1;  ///< the joint whose value the caller gives
 };
 
-/// Returns the pose with the position and the inclination of a task that turns the tool least from the base's
-/// frame.
+/// Returns the axis of the heading in the base's frame, where a given joint before it has moved it.
 template <int dof>
-Pose<double> pose_of(const PositionAndInclination<double>& task, const ArmAtZero<dof>& arm,
-                     const HeadingJoints& joints, double given = 0) {
+Vector3<double> heading_axis(const ArmAtZero<dof>& arm, const HeadingJoints& joints, double given = 0) {
   const auto axis_of = [&](int joint) {
     const Triple<double>& axis = arm.joints[static_cast<std::size_t>(joint)].axis;
     return Vector3<double>(axis[0], axis[1], axis[2]);
@@ -179,8 +177,16 @@ Pose<double> pose_of(const PositionAndInclination<double>& task, const ArmAtZero
   const bool is_moved = joints.given >= 0 && joints.given < joints.base &&
                         arm.joints[static_cast<std::size_t>(joints.given)].revolute;
   const Vector3<double> base = axis_of(joints.base);
-  const Vector3<double> moved = is_moved ? Eigen::AngleAxisd(given, axis_of(joints.given)) * base : base;
-  return {turn_between(moved, direction_meant(task.up)).conjugate(), task.position};
+  return is_moved ? Eigen::AngleAxisd(given, axis_of(joints.given)) * base : base;
+}
+
+/// Returns the pose with the position and the inclination of a task that turns the tool least from the base's
+/// frame.
+template <int dof>
+Pose<double> pose_of(const PositionAndInclination<double>& task, const ArmAtZero<dof>& arm,
+                     const HeadingJoints& joints, double given = 0) {
+  const Vector3<double> axis = heading_axis(arm, joints, given);
+  return {turn_between(axis, direction_meant(task.up)).conjugate(), task.position};
 }
 
 }  // namespace inverse

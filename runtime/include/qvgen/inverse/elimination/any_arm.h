@@ -6,8 +6,12 @@
 #include <qvgen/inverse/elimination/solve.h>
 #include <qvgen/inverse/whole_arm.h>
 
-/// The elimination for arms that come down to six joints: five and the turn of the tool that a task leaves,
-/// or seven of which one is given.
+/// The elimination for arms that come down to six joints: five and the turn of the tool or the heading that a
+/// task leaves, or seven of which one is given.
+///
+/// A heading is a turn of the tool, too. That the tool sees an axis e of the base as `up`, R^T e = up, says
+/// that its own axis `up` points along e: a turn about e through the tool point is one about that axis. Only
+/// it comes with the pose, so that the arm is set up for each.
 namespace qvgen::inverse::elimination {
 
 inline Description description_of(const ArmAtZero<joints>& arm) {
@@ -35,6 +39,29 @@ inline Solutions<joints + 1, most_solutions> solve_given(const ArmAtZero<joints 
     solve(setup, pose, tolerance, without_joint(preference, given), form, found);
   }
   return with_joint(found, given, value);
+}
+
+/// Returns the arm with the turn that a task without a heading leaves as one more joint, for a pose with the
+/// position and the inclination that are asked for.
+template <int dof>
+ArmAtZero<dof + 1> with_heading(const ArmAtZero<dof>& arm, const HeadingJoints& joints,
+                                const Pose<double>& pose, double given = 0) {
+  const Vector3<double> axis = heading_axis(arm, joints, given);
+  return with_tool_turn(arm, Vector3<double>(pose.normalised().orientation.conjugate() * axis));
+}
+
+/// Returns the caller's preference for the rows of such an arm: the heading is the one that the seed leaves
+/// to the pose.
+template <int dof>
+Preference<dof + 1> heading_preference(const ArmAtZero<dof + 1>& arm, const Joints<dof>& seed,
+                                       const Pose<double>& pose) {
+  Joints<dof + 1> row = Joints<dof + 1>::Zero();
+  row.template head<dof>() = seed;
+  const Triple<double>& last = arm.joints.back().axis;
+  const Vector3<double> axis = arm.tool.orientation.conjugate() * Vector3<double>(last[0], last[1], last[2]);
+  const Eigen::Quaterniond left = tool_of<dof + 1>(arm, row).orientation.conjugate() * pose.orientation;
+  row[dof] = without_turns(2 * std::atan2(left.vec().dot(axis), left.w()));
+  return preference<dof + 1>(row);
 }
 
 }  // namespace qvgen::inverse::elimination

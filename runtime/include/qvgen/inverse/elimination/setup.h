@@ -60,8 +60,20 @@ struct Setup {
 /// that are singular everywhere or that have more than two slides.
 Choices choose(const Description* arms, int count);
 
+/// An arm, and joint values that lead to a pose of it, rad or m.
+struct Sample {
+  Description arm;
+  double joints[elimination::joints];
+};
+
+/// Tries all eliminations on each of these poses alone: for arms that are set up with a pose, which not every
+/// pose asks for.
+Choices choose(const Sample* samples, int count);
+
 /// Everything that can be known before a pose is, by the choices that are best for the arm.
 Setup set_up(const Description& arm);
+/// Everything by such choices.
+Setup set_up(const Description& arm, const Choices& choices);
 /// Computes the part of a setup that most poses need, in some tens of microseconds: the first of the choices
 /// that the arm admits. It serves a geometry, or the value of a given joint, that is known only with the
 /// pose. A given joint may bring axes together, so that the arm does not admit all choices.
