@@ -43,20 +43,6 @@ void sort_by_place(Context& context) {
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
-/// A limb's joint has a value of its own if some of its leaders move joints outside; that is no multiple of
-/// another's then.
-void check_motors_of_limb(Context& context, Place place, const model::Robot& robot, const model::Frame& tip) {
-  const model::Robot limb = model::limb(robot, tip);
-  for (const model::Joint& joint : limb.joints)
-    for (const model::Joint& whole : robot.joints)
-      if (joint.variable == whole.variable && joint.follows.empty() && whole.follows.size() > 1)
-        context.error(place,
-                      "the limb to '" + tip.name + "' has the joint '" + joint.variable +
-                          "' without all joints of "
-                          "its motors",
-                      "leave out this tip, or let the limb have the other joints too");
-}
-
 /// Limbs are robots of their own, named after the robot and their tip.
 void check_names_of_limbs(Context& context, Place place, const model::Mechanism& mechanism) {
   for (const model::Frame& tip : mechanism.tips) {
@@ -64,7 +50,6 @@ void check_names_of_limbs(Context& context, Place place, const model::Mechanism&
     const NameProblem problem = check_robot_name(name);
     if (!problem.message.empty())
       context.error(place, "the limb '" + name + "': " + problem.message, problem.hint);
-    if (!context.has_error) check_motors_of_limb(context, place, mechanism.robot, tip);
   }
 }
 

@@ -15,15 +15,15 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns where a limb's variable comes from: the whole robot's motor of that name, or the one that moves
-/// the joint of that name. Readers refuse limbs with a joint that has several leaders elsewhere.
-model::Share share_of(const model::Robot& robot, const std::string& variable) {
+/// Returns where a limb's variable comes from: the whole robot's motor of that name, or those that move the
+/// joint of that name.
+std::vector<model::Share> shares_of(const model::Robot& robot, const std::string& variable) {
   const std::vector<std::string> motors = model::variables(robot);
   const auto motor = std::find(motors.begin(), motors.end(), variable);
-  if (motor != motors.end()) return {static_cast<std::size_t>(motor - motors.begin()), 1};
+  if (motor != motors.end()) return {{static_cast<std::size_t>(motor - motors.begin()), 1}};
   const auto joint = std::find_if(robot.joints.begin(), robot.joints.end(),
                                   [&](const model::Joint& each) { return each.variable == variable; });
-  return model::shares(robot)[static_cast<std::size_t>(joint - robot.joints.begin())].front();
+  return model::shares(robot)[static_cast<std::size_t>(joint - robot.joints.begin())];
 }
 
 /// The places of a limb's joints among all velocities, behind those of a floating base.
@@ -69,12 +69,13 @@ std::vector<model::Robot> limbs_of(const model::Mechanism& mechanism) {
 
 json joints_of_limb(const model::Robot& robot, const model::Robot& limb) {
   json list = json::array();
-  for (const std::string& variable : model::variables(limb)) {
-    const model::Share share = share_of(robot, variable);
-    list.push_back({{"joint", share.driven},
-                    {"ratio", fmt::format("{}", cln::double_approx(share.ratio))},
-                    {"last", false}});
-  }
+  const std::vector<std::string> variables = model::variables(limb);
+  for (std::size_t place = 0; place < variables.size(); ++place)
+    for (const model::Share& share : shares_of(robot, variables[place]))
+      list.push_back({{"place", place},
+                      {"joint", share.driven},
+                      {"ratio", fmt::format("{}", cln::double_approx(share.ratio))},
+                      {"last", false}});
   list.back()["last"] = true;
   return list;
 }
@@ -84,9 +85,12 @@ void add_limbs(const model::Mechanism& mechanism, RobotOutput& output) {
   json values{{"name", mechanism.robot.name}, {"limbs", json::array()}};
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     const json joints = joints_of_limb(mechanism.robot, limbs[i]);
+    const std::size_t count = model::driven_count(limbs[i]);
     values["limbs"].push_back({{"tip", mechanism.tips[i].name},
                                {"limb", limbs[i].name},
-                               {"joint_count", joints.size()},
+                               {"joint_count", count},
+                               {"share_count", joints.size()},
+                               {"has_sums", joints.size() != count},
                                {"joints", joints},
                                {"columns", columns_of(mechanism.robot, joints)},
                                {"last", i + 1 == limbs.size()}});

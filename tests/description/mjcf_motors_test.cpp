@@ -145,8 +145,9 @@ TEST(MjcfMotors, KeepsTheLengthsOfRandomTendons) {
 TEST(MjcfMotors, JointsThatMotorsDoNotTellApartAreTold) {
   const std::string told =
       "7:11: warning: the motor of the tendon 't0' moves 'j1', 'j2', which motors do not tell apart: each "
-      "has a "
-      "value of its own; its force acts on a joint by the tendon's 'coef'\n";
+      "has a value of its own; its force acts by the tendon's 'coef'; what ties the joints by <equality>, or "
+      "a "
+      "motor for each, would tell them apart\n";
   EXPECT_EQ(report(chain(tendons(tendon("t0", sum)) + actuators({"t0"}))), told);
   // More motors than joints, and motors that pull alike.
   for (const Coefficients& other : {sum, Coefficients{0, -2, -2}})
@@ -163,26 +164,119 @@ TEST(MjcfMotors, AChainWithSomeOfTheJointsIsTold) {
   options.tip = "b1";
   const std::string text =
       chain(tendons(tendon("left", sum) + tendon("right", difference)) + actuators({"left", "right"}));
-  EXPECT_NE(report(text, options)
-                .find("the motors of 'j1' act by tendons, but the chain has not all of their joints"),
-            std::string::npos)
+  EXPECT_NE(
+      report(text, options)
+          .find("the motors of 'j1' act by tendons, but 'j2', which they move too, is not among the joints"),
+      std::string::npos)
       << report(text, options);
 }
 
-TEST(MjcfMotors, JointsThatBranchHaveValuesOfTheirOwn) {
-  const auto finger = [](const std::string& name) {
-    return "<body name=\"" + name + "\" pos=\"1 0 0\"><joint name=\"j_" + name +
-           "\"/><geom size=\"0.1\"/></body>";
+/// A finger of two joints, j_NAME0 and j_NAME1.
+std::string finger(const std::string& name) {
+  const auto link = [&](int i) {
+    return fmt::format("<body name=\"{0}{1}\" pos=\"1 0 0\"><joint name=\"j_{0}{1}\"/><geom size=\"0.1\"/>",
+                       name, i);
   };
-  const std::string text = "<mujoco model=\"hand\"><worldbody>" + finger("a") + finger("b") +
-                           "</worldbody>\n" +
-                           tendons("<fixed name=\"t\"><joint joint=\"j_a\" coef=\"2\"/></fixed>") +
-                           actuators({"t"}) + "</mujoco>\n";
+  return link(0) + link(1) + "</body></body>";
+}
+
+/// Two fingers, whose joints random tendons pull, as rational factors by the joints' names.
+struct Fingers {
+  std::map<std::string, std::map<std::string, cln::cl_RA>> tendons;
+  std::string text;
+
+  Fingers(unsigned seed, int count, const std::string& sections) {
+    std::mt19937 random(seed);
+    std::string content;
+    std::vector<std::string> names;
+    for (int i = 0; i < count; ++i) {
+      std::string joints;
+      names.push_back(fmt::format("t{}", i));
+      for (const char* joint : {"j_a0", "j_a1", "j_b0", "j_b1"}) {
+        const int thousandths = static_cast<int>(random() % 4000) - 2000;
+        if (thousandths == 0 || (count == 4 && random() % 3 == 0)) continue;
+        tendons[names.back()][joint] = cln::cl_RA(thousandths) / 1000;
+        joints += fmt::format("<joint joint=\"{}\" coef=\"{:.3f}\"/>", joint, thousandths / 1000.0);
+      }
+      content += "<fixed name=\"" + names.back() + "\">" + joints + "</fixed>";
+    }
+    text = "<mujoco model=\"hand\"><worldbody>" + finger("a") + finger("b") + "</worldbody>\n<tendon>" +
+           content + "</tendon>\n" + actuators(names) + sections + "</mujoco>\n";
+  }
+};
+
+/// Motors of both fingers' joints, which branch: the length of a tendon is its motor's value and nothing
+/// else. By the same numbers a motor's force, which acts on joints by 'coef', is its own and no other's.
+TEST(MjcfMotors, JointsThatBranchFollowTheirMotorsExactly) {
+  int solved = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const Fingers fingers(seed, 4, "");
+    ReadOptions options;
+    options.tips = {"all"};
+    options.floating = seed % 2 == 0;
+    const ReadResult result = read_text(fingers.text, "r.xml", options);
+    ASSERT_TRUE(result.robot) << fingers.text;
+    if (result.robot->motors.empty()) continue;  // random tendons that depend on one another
+    ++solved;
+    const auto shares = model::shares(*result.robot);
+    const auto motors = model::variables(*result.robot);
+    for (const auto& [tendon, factors] : fingers.tendons) {
+      std::vector<cln::cl_RA> length(motors.size(), 0);
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        const auto factor = factors.find(result.robot->joints[i].variable);
+        for (const model::Share& share : shares[i])
+          if (factor != factors.end())
+            length[share.driven] = length[share.driven] + factor->second * share.ratio;
+      }
+      for (std::size_t k = 0; k < motors.size(); ++k)
+        EXPECT_TRUE(length[k] == (motors[k] == tendon ? 1 : 0))
+            << tendon << " by " << motors[k] << fingers.text;
+    }
+  }
+  EXPECT_GT(solved, 40);
+}
+
+/// Beside loops motors are joints, and lengths equations of joints: fewer of them than joints, too.
+TEST(MjcfMotors, LengthsBesideLoopsAreEquationsOfJoints) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const int count = 1 + static_cast<int>(seed % 3);
+    const Fingers fingers(seed, count,
+                          "<equality><connect body1=\"a1\" body2=\"b1\" anchor=\"0 1 0\"/></equality>");
+    const ReadResult result = read_text(fingers.text, "r.xml");
+    ASSERT_TRUE(result.robot) << to_string(result.diagnostics.front()) << fingers.text;
+    const auto& joints = result.robot->joints;
+    ASSERT_EQ(joints.size(), 4U + static_cast<unsigned>(count));
+    ASSERT_EQ(result.loops.gears.size(), static_cast<unsigned>(count));
+    for (const auto& [tendon, factors] : fingers.tendons) {
+      std::map<std::string, cln::cl_RA> length = factors;
+      for (const model::Gear& gear : result.loops.gears) {
+        const cln::cl_RA factor = length[joints[gear.joint].variable];
+        length.erase(joints[gear.joint].variable);
+        for (const auto& [leader, ratio] : gear.leaders)
+          length[joints[leader].variable] = length[joints[leader].variable] + factor * ratio;
+      }
+      for (const auto& [name, factor] : length)
+        EXPECT_TRUE(factor == (name == tendon ? 1 : 0)) << tendon << " by " << name << fingers.text;
+    }
+    std::vector<std::string> actuated;
+    for (const std::size_t joint : result.loops.actuated) actuated.push_back(joints[joint].variable);
+    std::sort(actuated.begin(), actuated.end());
+    const std::vector<std::string> all{"t0", "t1", "t2"};
+    EXPECT_EQ(actuated, std::vector(all.begin(), all.begin() + count));
+  }
+}
+
+/// Tips that leave out a joint which the motors move as well.
+TEST(MjcfMotors, LimbsWithSomeOfTheJointsAreTold) {
+  const Fingers fingers(3, 4, "");
   ReadOptions options;
-  options.tips = {"all"};
-  EXPECT_NE(report(text, options).find("the motors of 'j_a' act by tendons, but the robot's joints branch"),
-            std::string::npos)
-      << report(text, options);
+  options.tips = {"a1"};
+  EXPECT_NE(
+      report(fingers.text, options)
+          .find("the motors of 'j_a0' act by tendons, but 'j_b0', which they move too, is not among the "
+                "joints: it has a value of its own"),
+      std::string::npos)
+      << report(fingers.text, options);
 }
 
 /// Friction whose direction would be no sum of the motors': the file is read without them.

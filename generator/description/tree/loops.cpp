@@ -107,9 +107,12 @@ void close_loops(Context& context, const std::vector<Node>& nodes, TreeReader& r
   for (const Closure& closure : closures)
     if (const auto loop = closing.loop_of(closure)) mechanism.loops.closures.push_back(*loop);
   if (mechanism.loops.empty()) return;
-  mechanism.loops.actuated = closing.joints_of(loops.actuated, loops.may_lack);
-  mechanism.loops.outputs = closing.joints_of(loops.outputs, false);
+  const std::size_t joints = mechanism.robot.joints.size();
   mechanism.loops.gears = reader.gears(mechanism.robot);
+  mechanism.loops.actuated = closing.joints_of(loops.actuated, loops.may_lack);
+  for (std::size_t motor = joints; loops.may_lack && motor < mechanism.robot.joints.size(); ++motor)
+    mechanism.loops.actuated.push_back(motor);
+  mechanism.loops.outputs = closing.joints_of(loops.outputs, false);
 }
 
 }  // namespace qvgen::description::tree

@@ -61,6 +61,8 @@ model::Mechanism read_whole(Context& context, const std::vector<Node>& nodes, co
 
 }  // namespace
 
+bool takes_loops(const ReadOptions& options) { return options.tip.empty() && !options.floating; }
+
 model::Mechanism read_tree(Context& context, const std::vector<Node>& described, const std::string& kind,
                            const std::string& title, const ReadSegment& read, const ReadBody& read_body,
                            const Loops& loops) {
@@ -72,7 +74,7 @@ model::Mechanism read_tree(Context& context, const std::vector<Node>& described,
     const bool is_held = described[node].moves && !nodes[node].moves;
     return segment && is_held ? held(std::move(*segment)) : segment;
   };
-  const bool closes = loops.any && context.options.tip.empty() && !context.options.floating;
+  const bool closes = loops.any && takes_loops(context.options);
   if (loops.any && !closes) loops.leave_out();
   if (!closes && context.options.tips.empty() && !context.options.floating) {
     const auto ends = find_ends(context, nodes, kind);

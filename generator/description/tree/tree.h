@@ -97,6 +97,9 @@ struct Loops {
   bool may_lack = false;  ///< joints with motors may be outside of what is read
 };
 
+/// True if options leave a file the loops that it has: neither a chain nor a floating base is meant.
+bool takes_loops(const ReadOptions& options);
+
 /// Reads the body of a link in its own frame, whatever joint holds it.
 using ReadBody = std::function<Body(std::size_t node)>;
 

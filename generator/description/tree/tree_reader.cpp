@@ -36,11 +36,17 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
 }
 
 void TreeReader::tie(model::Robot& robot) {
-  take_motors(robot);
+  take_motors(robot, [&](const std::string& joint) { return rubs(joint, robot); });
   tie_followers(*context_, names_, robot);
 }
 
-std::vector<model::Gear> TreeReader::gears(model::Robot& robot) { return gears_of(*context_, names_, robot); }
+std::vector<model::Gear> TreeReader::gears(model::Robot& robot) {
+  take_motors(robot, [](const std::string& /*joint*/) { return false; });
+  const std::size_t joints = robot.joints.size();
+  make_motors_joints(*context_, robot);
+  for (std::size_t i = joints; i < robot.joints.size(); ++i) names_.push_back(robot.joints[i].variable);
+  return gears_of(*context_, names_, robot);
+}
 
 model::Inertia TreeReader::read_base(std::size_t base, const Body& own,
                                      const std::vector<std::size_t>& order) {
@@ -126,41 +132,39 @@ bool TreeReader::rubs(const std::string& name, const model::Robot& robot) const 
          });
 }
 
-/// Returns why a joint cannot follow its motors, empty if it can or has none. Limbs of joints that branch may
-/// lack some of a motor's joints.
-std::string TreeReader::obstacle_of_motors(const Follower& follower, const model::Robot& robot) const {
+/// Returns why a joint cannot follow its motors, empty if it can or has none.
+std::string TreeReader::obstacle_of_motors(const Follower& follower, const Rubs& rubs) const {
   const auto motors = motors_.find(follower.joint);
   if (motors == motors_.end()) return "";
-  if (model::branches(robot)) return "the robot's joints branch";
   std::set<std::string> joints{names_[follower.joint]};
   for (const TendonMotor& motor : motors->second) joints.insert(motor.joints.begin(), motor.joints.end());
   for (const std::string& joint : joints) {
-    if (!joint_called(joint)) return "the chain has not all of their joints";
-    if (rubs(joint, robot)) return "'" + joint + "' would follow several and has Coulomb friction";
+    if (!joint_called(joint)) return "'" + joint + "', which they move too, is not among the joints";
+    if (rubs(joint)) return "'" + joint + "' would follow several and has Coulomb friction";
   }
   return "";
 }
 
 /// Frees the joints that cannot follow their motors, with a warning.
-void TreeReader::free_from_motors(const model::Robot& robot) {
+void TreeReader::free_from_motors(const Rubs& rubs) {
   std::vector<Follower> kept;
   for (const Follower& follower : context_->followers) {
-    const std::string obstacle = obstacle_of_motors(follower, robot);
+    const std::string obstacle = obstacle_of_motors(follower, rubs);
     if (obstacle.empty())
       kept.push_back(follower);
     else
       context_->warning(follower.place,
                         "the motors of '" + names_[follower.joint] + "' act by tendons, but " + obstacle +
                             ": it has a value of its own",
-                        "a chain with all joints, without 'frictionloss', has the motors' values");
+                        "with all of these joints, without 'frictionloss', it has the motors' values");
   }
   context_->followers = std::move(kept);
 }
 
 /// Adds the motors that joints follow.
-void TreeReader::take_motors(model::Robot& robot) {
+void TreeReader::take_motors(model::Robot& robot, const Rubs& rubs) {
   if (motors_.empty()) return;
-  free_from_motors(robot);
+  free_from_motors(rubs);
   for (Follower& follower : context_->followers) {
     if (const auto motors = motors_.find(follower.joint); motors != motors_.end())
       for (const TendonMotor& motor : motors->second) add_motor(motor, robot);

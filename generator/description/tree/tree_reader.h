@@ -3,6 +3,7 @@
 // a moving link becomes part of its mass. A chain is the tree whose links are one path.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ class TreeReader {
   /// Fills in the joints that hold these nodes, each of which stands behind its parent. Their first parent is
   /// the base.
   void read(const std::vector<std::size_t>& order, model::Robot& robot);
-  /// Ties followers to their leaders, or returns their relations, for loops.
+  /// Ties followers to their leaders, or returns their relations, for loops, among which motors become
+  /// joints.
   void tie(model::Robot& robot);
   std::vector<model::Gear> gears(model::Robot& robot);
 
@@ -47,10 +49,11 @@ class TreeReader {
   void add_joint(const Segment& segment, const Standing& before, model::Robot& robot);
   model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const;
   void note_mimic(const MovingJoint& joint, std::size_t index);
-  void take_motors(model::Robot& robot);
+  using Rubs = std::function<bool(const std::string& joint)>;
+  void take_motors(model::Robot& robot, const Rubs& rubs);
   [[nodiscard]] bool rubs(const std::string& name, const model::Robot& robot) const;
-  [[nodiscard]] std::string obstacle_of_motors(const Follower& follower, const model::Robot& robot) const;
-  void free_from_motors(const model::Robot& robot);
+  [[nodiscard]] std::string obstacle_of_motors(const Follower& follower, const Rubs& rubs) const;
+  void free_from_motors(const Rubs& rubs);
   void add_motor(const TendonMotor& motor, model::Robot& robot);
   void check_ends(model::Robot& robot) const;
   void leave_out_partial_inertia(model::Robot& robot) const;

@@ -33,6 +33,11 @@ class SegmentReader {
     return segment;
   }
 
+  /// Joints that motors of tendons drive.
+  [[nodiscard]] const std::set<std::string>& driven_by_lengths() const {
+    return couplings_.driven_by_lengths();
+  }
+
   /// The numbers of frames around elements.
   MjcfFrames& frames() { return frames_; }
 
@@ -93,7 +98,7 @@ model::Mechanism read_mjcf(Context& context, const Element& root) {
   return read_tree(
       context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); },
       [&](std::size_t node) { return reader.body(node); },
-      mjcf_loops(context, *model, tree, reader.frames()));
+      mjcf_loops(context, *model, tree, reader.frames(), reader.driven_by_lengths()));
 }
 
 }  // namespace qvgen::description::xml

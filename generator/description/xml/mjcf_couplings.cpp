@@ -152,9 +152,8 @@ std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::strin
   return length;
 }
 
-/// Ties joints to the motors of tendons. Beside loops they move none.
+/// Ties joints to the motors of tendons.
 void MjcfCouplings::read_motors(const MjcfModel& model) {
-  if (has_loops(model.root)) return;
   const auto actuators = actuators_of(model.root, "tendon");
   std::map<std::string, Sum> lengths;
   for (const auto& [tendon, actuator] : actuators) {
@@ -168,7 +167,9 @@ void MjcfCouplings::read_motors(const MjcfModel& model) {
   std::set<std::string> driven;
   for (const char* key : {"joint", "jointinparent"})
     for (const auto& actuator : actuators_of(model.root, key)) driven.insert(actuator.first);
-  for (const TendonGroup& group : tendon_groups(lengths, driven)) add_group(model, group, actuators);
+  const bool beside_loops = has_loops(model.root) && tree::takes_loops(context_->options);
+  for (const TendonGroup& group : tendon_groups(lengths, driven, beside_loops))
+    add_group(model, group, actuators);
   followed_.clear();
 }
 
@@ -194,10 +195,12 @@ void MjcfCouplings::tell_of_group(const TendonGroup& group,
                                   const std::map<std::string, const Element*>& actuators) {
   for (const std::string& key : group.tendons) {
     const std::string tendon = key.substr(1);
-    context_->warning(actuators.at(tendon)->place,
-                      "the motor of the tendon '" + tendon + "' moves " + list_of(group.joints) +
-                          ", which motors do not tell apart: each has a value of its own",
-                      "its force acts on a joint by the tendon's 'coef'");
+    context_->warning(
+        actuators.at(tendon)->place,
+        "the motor of the tendon '" + tendon + "' moves " + list_of(group.joints) +
+            ", which motors do not tell apart: each has a value of its own",
+        "its force acts by the tendon's 'coef'; what ties the joints by <equality>, or a motor for each, "
+        "would tell them apart");
   }
 }
 
@@ -205,7 +208,10 @@ void MjcfCouplings::tell_of_group(const TendonGroup& group,
 void MjcfCouplings::add_group(const MjcfModel& model, const TendonGroup& group,
                               const std::map<std::string, const Element*>& actuators) {
   if (group.relations.empty()) return tell_of_group(group, actuators);
-  if (is_the_joint(group)) return;
+  if (is_the_joint(group)) {
+    driven_by_lengths_.insert(group.relations.begin()->first);
+    return;
+  }
   const MjcfNumbers numbers(*context_, model.settings);
   const bool turns = MjcfNumbers::is_hinge(joints_.at(*group.joints.begin())->element);
   for (const std::string& key : group.tendons) {

@@ -21,6 +21,8 @@ class MjcfCouplings {
   MjcfCouplings(Context& context, const MjcfModel& model, const MjcfTree& tree);
   /// The joints that a joint follows, and how; nothing if it follows none. Mistakes are reported.
   std::optional<tree::Mimic> of(const std::string& joint);
+  /// Joints whose value is the length of a tendon with a motor.
+  [[nodiscard]] const std::set<std::string>& driven_by_lengths() const { return driven_by_lengths_; }
 
  private:
   using Sum = JointSum;
@@ -72,7 +74,8 @@ class MjcfCouplings {
   std::map<std::string, const Element*> tendons_;  ///< the fixed ones
   std::set<std::string> used_;                     ///< tendons that tie joints
   std::map<std::string, TendonMotor> motors_;      ///< by key_of their tendons
-  std::set<std::string> wrong_;                    ///< joints whose relations are reported
+  std::set<std::string> driven_by_lengths_;
+  std::set<std::string> wrong_;  ///< joints whose relations are reported
   std::map<std::string, Relation> relations_;
   std::map<std::string, Followed> followed_;  ///< of those that were asked for
 };

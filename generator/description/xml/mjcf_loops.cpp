@@ -172,9 +172,9 @@ std::set<std::string> bodies_that_are_carried(const MjcfTree& tree) {
   return names;
 }
 
-/// Joints that actuators of a file drive, each once.
-tree::JointNames driven_joints(const Element& root) {
-  tree::JointNames driven;
+/// Joints that actuators of a file drive; `by_lengths`: those that tendons drive.
+tree::JointNames driven_joints(const Element& root, const std::set<std::string>& by_lengths) {
+  tree::JointNames driven{{by_lengths.begin(), by_lengths.end()}, {}};
   for (const Element& section : root.children) {
     if (section.name != "actuator") continue;
     driven.place = section.place;
@@ -191,7 +191,8 @@ bool is_loop(const Element& equality) {
   return (equality.name == "connect" || equality.name == "weld") && text_of(equality, "active") != "false";
 }
 
-tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree& tree, MjcfFrames& frames) {
+tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree& tree, MjcfFrames& frames,
+                       const std::set<std::string>& driven_by_lengths) {
   const std::set<std::string> carried = bodies_that_are_carried(tree);
   std::vector<Element> elements;
   for (const Element& section : model.root.children)
@@ -203,8 +204,8 @@ tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree&
   tree::Loops loops;
   loops.any = !std::all_of(elements.begin(), elements.end(), is_carried);
   loops.may_lack = context.options.actuated.empty();
-  loops.actuated =
-      loops.may_lack ? driven_joints(model.root) : tree::JointNames{context.options.actuated, {}};
+  loops.actuated = loops.may_lack ? driven_joints(model.root, driven_by_lengths)
+                                  : tree::JointNames{context.options.actuated, {}};
   const auto warn_of = [&context](const Element& element) {
     context.warning(element.place, "<" + element.name + "> of <equality> is not read: joints move freely",
                     "loops belong to whole robots whose base does not move, without --tip and --floating");

@@ -13,8 +13,10 @@
 
 namespace qvgen::description::xml {
 
-/// Returns the loops of a model's own file. Numbers are read when they are asked for.
-tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree& tree, MjcfFrames& frames);
+/// Returns the loops of a model's own file. Numbers are read when they are asked for. `driven_by_lengths`:
+/// joints that motors of tendons drive, beside those with actuators of their own.
+tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree& tree, MjcfFrames& frames,
+                       const std::set<std::string>& driven_by_lengths);
 
 /// True for the elements of <equality> that are loops.
 bool is_loop(const Element& equality);

@@ -29,7 +29,8 @@ void multiply(JointSum& sum, const cln::cl_RA& factor) {
   for (auto& [name, share] : sum) share = share * factor;
 }
 
-/// Solves as many equations as there are unknown joints; nothing if they do not tell them apart.
+/// Solves each equation for a joint, in terms of what is known and of joints that none is solved for; nothing
+/// if the equations depend on one another.
 std::optional<std::map<std::string, JointSum>> solved(std::vector<Equation> equations) {
   for (std::size_t k = 0; k < equations.size(); ++k) {
     if (equations[k].unknown.empty()) return std::nullopt;
@@ -45,7 +46,12 @@ std::optional<std::map<std::string, JointSum>> solved(std::vector<Equation> equa
     }
   }
   std::map<std::string, JointSum> relations;
-  for (const Equation& equation : equations) relations[equation.unknown.begin()->first] = equation.known;
+  for (Equation& equation : equations) {
+    const std::string joint = equation.unknown.begin()->first;
+    equation.unknown.erase(joint);
+    add(equation.known, -1, equation.unknown);
+    relations[joint] = equation.known;
+  }
   return relations;
 }
 
@@ -60,10 +66,11 @@ Equation equation_of(const std::string& tendon, const JointSum& length, const st
 
 std::map<std::string, JointSum> relations_of(const TendonGroup& group,
                                              const std::map<std::string, JointSum>& lengths,
-                                             const std::set<std::string>& driven) {
+                                             const std::set<std::string>& driven, bool beside_loops) {
   const auto unknown = std::count_if(group.joints.begin(), group.joints.end(),
                                      [&](const std::string& joint) { return driven.count(joint) == 0; });
-  if (group.tendons.size() > most_tendons || unknown != static_cast<long>(group.tendons.size())) return {};
+  const auto lacking = unknown - static_cast<long>(group.tendons.size());
+  if (group.tendons.size() > most_tendons || lacking < 0 || (lacking > 0 && !beside_loops)) return {};
   std::vector<Equation> equations;
   for (const std::string& tendon : group.tendons)
     equations.push_back(equation_of(tendon, lengths.at(tendon), driven));
@@ -91,12 +98,12 @@ void join(std::vector<TendonGroup>& groups, const std::string& tendon, const Joi
 }  // namespace
 
 std::vector<TendonGroup> tendon_groups(const std::map<std::string, JointSum>& lengths,
-                                       const std::set<std::string>& driven) {
+                                       const std::set<std::string>& driven, bool beside_loops) {
   std::vector<TendonGroup> groups;
   for (const auto& [tendon, length] : lengths) join(groups, tendon, length);
   for (TendonGroup& group : groups) {
     std::sort(group.tendons.begin(), group.tendons.end());
-    group.relations = relations_of(group, lengths, driven);
+    group.relations = relations_of(group, lengths, driven, beside_loops);
   }
   return groups;
 }

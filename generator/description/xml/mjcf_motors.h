@@ -4,7 +4,8 @@
 // A fixed tendon's length is a sum of multiples of joints, and its motor's force acts on them by these
 // multiples: the length is the motor's value. Where lengths, together with the joints that have actuators of
 // their own, are as many as the joints and tell them apart, joints follow lengths exactly. So a wrist with
-// two tendons, a + b and a - b, has a = 1/2 m1 + 1/2 m2 and b = 1/2 m1 - 1/2 m2.
+// two tendons, a + b and a - b, has a = 1/2 m1 + 1/2 m2 and b = 1/2 m1 - 1/2 m2. Beside loops a length is an
+// equation among others, so that fewer lengths than joints serve as well.
 #pragma once
 
 #include <map>
@@ -29,9 +30,10 @@ struct TendonGroup {
 };
 
 /// Returns the groups of tendons, whose lengths are sums of joints, in the order of their names. `driven`:
-/// joints with actuators of their own.
+/// joints with actuators of their own. `beside_loops`: joints may be more than lengths tell, for loops tell
+/// them too.
 std::vector<TendonGroup> tendon_groups(const std::map<std::string, JointSum>& lengths,
-                                       const std::set<std::string>& driven);
+                                       const std::set<std::string>& driven, bool beside_loops);
 
 /// Elements of <actuator> by what they act on: `key` is "tendon" or "joint". The first of each.
 std::map<std::string, const Element*> actuators_of(const Element& root, const std::string& key);

@@ -41,4 +41,37 @@ Eigen::Matrix<Scalar, rows, dof> columns_in(
   return whole;
 }
 
+/// Share of a joint of the whole robot in the value of a limb's joint.
+struct LimbShare {
+  int place;  ///< of the limb's joint in the limb
+  int joint;  ///< of the whole robot
+  double ratio;
+};
+
+/// Joints of a limb that has not all joints of its motors: each is a sum of the whole robot's. Sorted by
+/// places.
+template <int count, std::size_t size>
+struct LimbSums {
+  std::array<LimbShare, size> shares;
+};
+
+/// Returns the joint values of a limb, from those of the whole robot.
+template <int count, std::size_t size, class Scalar, int dof>
+Eigen::Matrix<Scalar, count, 1> values_of(const LimbSums<count, size>& limb,
+                                          const Eigen::Matrix<Scalar, dof, 1>& q) {
+  Eigen::Matrix<Scalar, count, 1> values = Eigen::Matrix<Scalar, count, 1>::Zero();
+  for (const LimbShare& share : limb.shares) values[share.place] += Scalar(share.ratio) * q[share.joint];
+  return values;
+}
+
+/// Returns derivatives by the joints of the whole robot, from those by a limb's joints: a column for each.
+template <int dof, int count, std::size_t size, class Scalar, int rows>
+Eigen::Matrix<Scalar, rows, dof> columns_in(const LimbSums<count, size>& limb,
+                                            const Eigen::Matrix<Scalar, rows, count>& columns) {
+  Eigen::Matrix<Scalar, rows, dof> whole = Eigen::Matrix<Scalar, rows, dof>::Zero();
+  for (const LimbShare& share : limb.shares)
+    whole.col(share.joint) += Scalar(share.ratio) * columns.col(share.place);
+  return whole;
+}
+
 }  // namespace qvgen

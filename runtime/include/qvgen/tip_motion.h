@@ -4,9 +4,6 @@
 // motion, and gives the limb's columns their places among all velocities.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include <qvgen/change_of_frame.h>
 #include <qvgen/floating_base.h>
 #include <qvgen/limb.h>
@@ -40,10 +37,10 @@ Eigen::Matrix<Scalar, 6, size> relative_jacobian(const TipMotion<Scalar, size>& 
 }
 
 /// Returns the Jacobian in the world, from the tip's pose and the limb's Jacobian in the base's frame.
-template <int dof, std::size_t count, class Scalar>
-Eigen::Matrix<Scalar, 6, 6 + dof> floating_jacobian(
-    const Quaternion<Scalar>& base, const std::array<LimbJoint, count>& limb, const Vector3<Scalar>& tip,
-    const Eigen::Matrix<Scalar, 6, static_cast<int>(count)>& jacobian) {
+template <int dof, class Limb, class Scalar, int count>
+Eigen::Matrix<Scalar, 6, 6 + dof> floating_jacobian(const Quaternion<Scalar>& base, const Limb& limb,
+                                                    const Vector3<Scalar>& tip,
+                                                    const Eigen::Matrix<Scalar, 6, count>& jacobian) {
   const Matrix3<Scalar> turn = base.toRotationMatrix();
   Eigen::Matrix<Scalar, 6, 6 + dof> result = Eigen::Matrix<Scalar, 6, 6 + dof>::Zero();
   result.template topLeftCorner<3, 3>() = turn;
@@ -52,9 +49,8 @@ Eigen::Matrix<Scalar, 6, 6 + dof> floating_jacobian(
     const Vector3<Scalar> axis = turn.col(k), lever = turn * tip;
     result.col(3 + k).template head<3>() = axis.cross(lever);
   }
-  const Eigen::Matrix<Scalar, 6, static_cast<int>(count)> turned = turned_into(turn, jacobian);
-  for (std::size_t i = 0; i < count; ++i)
-    result.col(6 + limb[i].joint) += Scalar(limb[i].ratio) * turned.col(static_cast<Eigen::Index>(i));
+  const Eigen::Matrix<Scalar, 6, count> turned = turned_into(turn, jacobian);
+  result.template rightCols<dof>() = columns_in<dof>(limb, turned);
   return result;
 }
 
@@ -76,8 +72,8 @@ Eigen::Matrix<Scalar, 6, 1> floating_bias(const Quaternion<Scalar>& base,
 
 /// Pose, Jacobian and bias of a tip. `limb`: its joints; `functions`: forward_kinematics, jacobian and
 /// jacobian_dot_times_qd of the limb's namespace as one object.
-template <std::size_t count, class Functions, class Scalar, int dof>
-TipMotion<Scalar, 6 + dof> floating_tip(const std::array<LimbJoint, count>& limb, const Functions& functions,
+template <class Limb, class Functions, class Scalar, int dof>
+TipMotion<Scalar, 6 + dof> floating_tip(const Limb& limb, const Functions& functions,
                                         const FloatingConfiguration<Scalar, dof>& at,
                                         const Eigen::Matrix<Scalar, 6 + dof, 1>& qd) {
   const Eigen::Matrix<Scalar, dof, 1> rates = qd.template tail<dof>();
@@ -90,12 +86,12 @@ TipMotion<Scalar, 6 + dof> floating_tip(const std::array<LimbJoint, count>& limb
 }
 
 /// Likewise of a robot whose base does not move: the world is that of its limbs.
-template <std::size_t count, class Functions, class Scalar, int dof>
-TipMotion<Scalar, dof> fixed_tip(const std::array<LimbJoint, count>& limb, const Functions& functions,
+template <class Limb, class Functions, class Scalar, int dof>
+TipMotion<Scalar, dof> fixed_tip(const Limb& limb, const Functions& functions,
                                  const Eigen::Matrix<Scalar, dof, 1>& q,
                                  const Eigen::Matrix<Scalar, dof, 1>& qd) {
   const auto values = values_of(limb, q), rates = values_of(limb, qd);
-  const Eigen::Matrix<Scalar, 6, static_cast<int>(count)> jacobian = functions.jacobian(values);
+  const auto jacobian = functions.jacobian(values);
   return {functions.pose(values), columns_in<dof>(limb, jacobian), functions.bias(values, rates)};
 }
 
