@@ -74,8 +74,8 @@ TEST(Compact, ReadsAsBeforeWithItsNamesPutBack) {
   for (const std::size_t count : {1U, 2U, 40U, 700U, 3000U, 30000U}) {
     const emit::Code code = random_code(count, random);
     const emit::Code compact = emit::compact(code);
-    const std::string text = emit::compact_declarations(compact);
-    std::vector<std::string> values = split(text.substr(std::string("const Scalar ").size()), ',');
+    const std::string text = emit::compact_statements(compact.temporaries, {});
+    std::vector<std::string> values = split(text.substr(std::string("N ").size()), ',');
     std::map<std::string, std::string> texts;
     std::size_t next = 0;
     for (const std::string& value : values) {
@@ -99,7 +99,7 @@ TEST(Compact, ReadsAsBeforeWithItsNamesPutBack) {
 
 TEST(Compact, LinesAreAsLongAsOthers) {
   std::mt19937 random(2);
-  const std::string text = emit::compact_declarations(emit::compact(random_code(3000, random)));
+  const std::string text = emit::compact_statements(emit::compact(random_code(3000, random)).temporaries, {});
   for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
     end = std::min(text.find('\n', begin), text.size());
     EXPECT_LE(end - begin + (begin == 0 ? 2 : 0), 120U);
@@ -109,7 +109,7 @@ TEST(Compact, LinesAreAsLongAsOthers) {
 TEST(Compact, NumbersThatComeBackHaveNames) {
   const emit::Code compact = emit::compact(
       {{{"t0", "Scalar(0.5) * q[0]"}, {"t1", "Scalar(0.5) * t0 - Scalar(2)"}}, {{"o", "Scalar(0.5) * t1"}}});
-  EXPECT_EQ(emit::compact_declarations(compact), "const Scalar t=N(.5),u=t*q[0],v=t*u-N(2)");
+  EXPECT_EQ(emit::compact_statements(compact.temporaries, {}), "N t=N(.5),u=t*q[0],v=t*u-N(2)");
   EXPECT_EQ(compact.outputs[0].expression, "t*v");
 }
 
@@ -147,33 +147,52 @@ TEST(Compact, SpacesBetweenSignsAndWordsStay) {
 
 TEST(Compact, ManyZerosAreSetAtOnce) {
   EXPECT_EQ(emit::compact_statements(
-                {{"result.m(0, 0) = result.m(1, 1) = result.m(2, 2) = result.m(3, 3)", "Scalar(0)"},
-                 {"result.m(0, 1)", "t0"},
-                 {"result.v[0]", "t1"}}),
+                {}, {{"result.m(0, 0) = result.m(1, 1) = result.m(2, 2) = result.m(3, 3)", "Scalar(0)"},
+                     {"result.m(0, 1)", "t0"},
+                     {"result.v[0]", "t1"}}),
             "auto& r=result.m;r.setZero();auto& r1=result.v;r(0,1)=t0;r1[0]=t1");
 }
 
 /// Setting them at once and the others again would take more instructions.
 TEST(Compact, FewZerosAreSetOneByOne) {
-  EXPECT_EQ(emit::compact_statements({{"result(0, 0) = result(2, 2) = result(1, 1)", "Scalar(0)"},
-                                      {"result(0, 1) = result(1, 0)", "t0"}}),
-            "auto& r=result;r(0,0)=r(2,2)=r(1,1)=Scalar(0);r(0,1)=r(1,0)=t0");
+  EXPECT_EQ(emit::compact_statements({}, {{"result(0, 0) = result(2, 2) = result(1, 1)", "Scalar(0)"},
+                                          {"result(0, 1) = result(1, 0)", "t0"}}),
+            "auto& r=result;r(0,0)=r(1,1)=r(2,2)=Scalar(0);r(0,1)=r(1,0)=t0");
+}
+
+/// Columns lie in memory one behind the other; a run ends with its column's object.
+TEST(Compact, ZerosBelowOneAnotherAreFilled) {
+  EXPECT_EQ(
+      emit::compact_statements(
+          {}, {{"result.m(11, 2) = result.m(9, 2) = result.m(10, 2) = result.m(8, 2) = result.m(12, 3) = "
+                "result.v[0] = result.v[3] = result.v[2] = result.v[1] = result.v[5] = result.x",
+                "Scalar(0)"},
+               {"result.m(0, 0) = result.m(1, 0)", "t0"},
+               {"result.v[4] = result.v[6] = result.v[7]", "t1"}}),
+      "auto& r=result.m;auto& r1=result.v;std::fill_n(&r(8,2),4,Scalar(0));std::fill_n(&r1[0],4,Scalar("
+      "0));\nr(12,3)=r1[5]=Scalar(0);result.x=Scalar(0);r(0,0)=r(1,0)=t0;r1[4]=r1[6]=r1[7]=t1");
+}
+
+TEST(Compact, OutputsAreStoredAsSoonAsTheyAreKnown) {
+  EXPECT_EQ(emit::compact_statements(
+                {{"t", "q[0]*q[1]"}, {"u", "t*t"}, {"v", "u-t"}, {"w", "v*v"}},
+                {{"result[0]", "v+u"}, {"result[1]", "t"}, {"result[2]", "-t*q[2]"}, {"result[3]", "w"}}),
+            "auto& r=result;N t=q[0]*q[1];r[1]=t;r[2]=-t*q[2];N u=t*t,v=u-t;r[0]=v+u;N w=v*v;r[3]=w");
 }
 
 TEST(Compact, ReferencesToSinesAreShort) {
   const std::vector<std::string> lines =
       emit::compact_angles({"const Scalar &s5 = angles.sine[0], &c12 = angles.cosine[10];",
                             "const Scalar &s_0 = angles.sine[3];", "// s_0: of theta1/2 - pi/4"});
-  const std::vector<std::string> expected{"const auto& s=angles.sine;", "const auto& c=angles.cosine;",
-                                          "const Scalar &s5=s[0],&c12=c[10],&s_0=s[3];",
+  const std::vector<std::string> expected{"const Scalar &s5=s[0],&c12=c[10],&s_0=s[3];",
                                           "// s_0: of theta1/2 - pi/4"};
   EXPECT_EQ(lines, expected);
-  EXPECT_EQ(emit::compact_angles({"const Scalar &c1 = angles.cosine[0];"}).size(), 2U);
+  EXPECT_EQ(emit::compact_angles({"const Scalar &c1 = angles.cosine[0];"}).size(), 1U);
   EXPECT_TRUE(emit::compact_angles({}).empty());
 }
 
 TEST(Compact, AScalarHasNoOtherName) {
-  EXPECT_EQ(emit::compact_statements({{"result", "Scalar(0)"}}), "result=Scalar(0)");
+  EXPECT_EQ(emit::compact_statements({}, {{"result", "Scalar(0)"}}), "result=Scalar(0)");
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Functions of robots of many joints, humanoids among them, in half as many bytes: numbers that come back
 // have names, names are short, those used most the shortest, no spaces stand between operators, no brackets
-// around the first terms of a sum, one declaration has many values, and zeros are set at once. What is
-// computed stays the same, bit for bit. Example: `const Scalar t800 = t7 * Scalar(0.5);` becomes `w4=t*N(.5)`
-// in a list.
+// around the first terms of a sum, one declaration has many values, outputs are stored as soon as they are
+// known, and zeros are set at once. What is computed stays the same, bit for bit. Example: `const Scalar
+// t800 = t7 * Scalar(0.5);` becomes `w4=t*N(.5)` in a list.
 #pragma once
 
 #include "emit/code.h"
@@ -20,14 +20,17 @@ inline constexpr int compact_inline = 8;
 /// Returns code of C++ in fewer bytes: short names, no spaces; N is another name of Scalar.
 Code compact(const Code& code);
 
-/// Returns one declaration of all temporaries of compact code, without a semicolon.
-std::string compact_declarations(const Code& compact);
+/// True if the code has numbers by the short name of Scalar.
+bool has_short_numbers(const Code& compact);
 
-/// Returns references to sines and cosines, lines of `sine_cosine_declarations`, in fewer bytes.
+/// Returns references to sines and cosines, lines of `sine_cosine_declarations`, in fewer bytes; the arrays
+/// are called s and c.
 std::vector<std::string> compact_angles(const std::vector<std::string>& lines);
 
-/// Returns the statements that bring values of compact code to their places, without the last semicolon.
-std::string compact_statements(const std::vector<Assignment>& assignments);
+/// Returns the statements that compute the values of compact code and bring outputs to their places, each
+/// output as soon as what it reads is known, without the last semicolon.
+std::string compact_statements(const std::vector<Code::Value>& values,
+                               const std::vector<Assignment>& assignments);
 
 /// Declarations and statements of a function, a line or more each, without semicolons.
 struct Body {

@@ -197,6 +197,15 @@ Arguments arguments_of(const model::Robot& robot, const DynamicsInterface& inter
   return result;
 }
 
+/// How a function's body gets sines and cosines: as pointers to two arrays, so that both overloads call one
+/// compiled body, where bytes count; else as the struct that holds them, into which compilers see.
+json angle_arguments(bool in_few_bytes) {
+  if (in_few_bytes)
+    return {{"angle_parameters", "[[maybe_unused]] const Scalar* s, [[maybe_unused]] const Scalar* c"},
+            {"angle_arguments", "std::data(angles.sine), std::data(angles.cosine)"}};
+  return {{"angle_parameters", "[[maybe_unused]] const Angles& angles"}, {"angle_arguments", "angles"}};
+}
+
 }  // namespace
 
 std::string dynamics_doc(const model::Robot& robot, const Optimised& function,
@@ -241,6 +250,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"doc", dynamics_doc(robot, function, interface)},
               {"type", type_of(interface.result, scalar, floats)},
               {"floats", floats},
+              {"in_few_bytes", in_few_bytes},
               {"parameters", arguments.declared},
               {"unused_parameters", arguments.unused},
               {"types", arguments.types},
@@ -254,6 +264,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"declarations", lines_of(body.declarations)},
               {"statements", lines_of(body.statements)}};
   values.update(load_values(robot, interface, scalar));
+  values.update(angle_arguments(in_few_bytes));
   return values;
 }
 

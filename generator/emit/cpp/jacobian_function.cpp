@@ -43,6 +43,15 @@ std::string selection(const std::vector<dag::Angle>& angles, const std::vector<d
   return text;
 }
 
+/// References to entries of a struct `angles`, in few bytes.
+std::vector<std::string> compact_angles_of_struct(const std::vector<std::string>& named) {
+  std::vector<std::string> lines = compact_angles(named);
+  if (!lines.empty())
+    lines.insert(lines.begin(), {"[[maybe_unused]] const auto& s=angles.sine;",
+                                 "[[maybe_unused]] const auto& c=angles.cosine;"});
+  return lines;
+}
+
 }  // namespace
 
 std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions) {
@@ -74,7 +83,7 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["cosines"] = selection(angles, all, "cosine");
   const bool in_few_bytes = bytes_count(robot, code);
   const std::vector<std::string> named = sine_cosine_declarations(robot, function.optimised.function, angles);
-  values["named_angles"] = lines_of(in_few_bytes ? compact_angles(named) : named);
+  values["named_angles"] = lines_of(in_few_bytes ? compact_angles_of_struct(named) : named);
   const Body body = in_few_bytes ? compact_body_of(code, function.targets) : body_of(code, function.targets);
   values["declarations"] = lines_of(body.declarations);
   values["statements"] = lines_of(body.statements);

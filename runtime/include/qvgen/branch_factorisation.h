@@ -26,7 +26,8 @@ class BranchFactorisation {
   using Vector = Eigen::Matrix<Scalar, size, 1>;
 
   /// Entries of rows that are on no common branch, and those above the diagonal, are not read.
-  explicit BranchFactorisation(const Matrix& mass, Branches = {}) : factors_(mass) {
+  explicit BranchFactorisation(const Matrix& mass, Branches = {}) {
+    for_each_row(Rows(), [&](auto k) { take<k>(mass, RowsUpTo<k>()); });
     for_each_row(Backwards<Rows>(), [this](auto k) { eliminate<k>(); });
   }
 
@@ -67,6 +68,12 @@ class BranchFactorisation {
   using Carrying = RowsCarrying<Branches, k>;
   template <int k>
   using RowsUpTo = RowsCarrying<Branches, k, k + 1>;
+
+  /// Copies one row of the lower triangle: to copy the whole matrix would take longer than to factorise it.
+  template <int k, int... j>
+  void take(const Matrix& mass, std::integer_sequence<int, j...>) {
+    ((factors_(k, j) = mass(k, j)), ...);
+  }
 
   template <int k>
   void eliminate() {
@@ -115,7 +122,7 @@ class BranchFactorisation {
     sum.store(x.data() + row * lanes);
   }
 
-  Matrix factors_;  ///< below the diagonal L, on it D
+  Matrix factors_;  ///< below the diagonal L, on it D; the rest is not set
   Vector reciprocals_;
 };
 
