@@ -261,15 +261,16 @@ void visit_circle(TurnSearch<Scalar>& search) {
 
 /// The largest of three coefficients' magnitudes.
 template <typename Scalar>
-Scalar largest_of(const Scalar& a, const Scalar& b, const Scalar& c) {
+Scalar largest_of_three(const Scalar& a, const Scalar& b, const Scalar& c) {
   return larger(Scalar(larger(magnitude(a), magnitude(b))), magnitude(c));
 }
 
 /// An equation with its largest coefficient one; all zeros stay.
 template <typename Scalar>
 TwoTurnsEquation<Scalar> with_largest_one(const TwoTurnsEquation<Scalar>& m) {
-  const Scalar n = largest_of(largest_of(m.c00, m.c01, m.c02), largest_of(m.c10, m.c11, m.c12),
-                              largest_of(m.c20, m.c21, m.c22));
+  const Scalar n =
+      largest_of_three(largest_of_three(m.c00, m.c01, m.c02), largest_of_three(m.c10, m.c11, m.c12),
+                       largest_of_three(m.c20, m.c21, m.c22));
   if (!(n > Scalar(0))) return m;
   return {m.c00 / n, m.c01 / n, m.c02 / n, m.c10 / n, m.c11 / n, m.c12 / n, m.c20 / n, m.c21 / n, m.c22 / n};
 }

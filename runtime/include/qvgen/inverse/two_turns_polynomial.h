@@ -150,7 +150,7 @@ struct HarmonicsAt {
 };
 
 template <typename Scalar>
-Scalar value_of(const HarmonicsAt<Scalar>& h, const Scalar& one) {
+Scalar value_at(const HarmonicsAt<Scalar>& h, const Scalar& one) {
   return ((one + h.v1) + h.v2) + (h.v3 + h.v4);
 }
 template <typename Scalar>
@@ -169,7 +169,7 @@ Scalar third_of(const HarmonicsAt<Scalar>& h) {
 template <typename Scalar>
 Jet<Scalar> jet_at(const Harmonics<Scalar>& f, const Rotor<Scalar>& at) {
   const HarmonicsAt<Scalar> h(f, at);
-  return {value_of(h, f.one), slope_of(h), curvature_of(h), third_of(h)};
+  return {value_at(h, f.one), slope_of(h), curvature_of(h), third_of(h)};
 }
 
 template <typename Scalar>
@@ -178,7 +178,7 @@ TwoJets<Scalar> jets_at(const Harmonics<Scalar>& f, const Rotor<Scalar>& left, c
   TwoJets<Scalar> result;
   for (std::size_t i = 0; i < 2; ++i) {
     const HarmonicsAt<Scalar> h(f, at[i]);
-    result.value[i] = value_of(h, f.one);
+    result.value[i] = value_at(h, f.one);
     result.slope[i] = slope_of(h);
     result.curvature[i] = curvature_of(h);
     result.third[i] = third_of(h);
