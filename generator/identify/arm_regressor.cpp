@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
 #include "canonical/right_angles.h"
 #include "derive/dynamics/drive_regressor.h"
@@ -104,6 +105,8 @@ std::vector<DriveParameter> all_drives() {
 
 ArmRegressor arm_regressor(const model::Robot& described, const std::vector<DriveParameter>& drives,
                            double gravity) {
+  if (!described.motors.empty())
+    throw std::domain_error("joints follow motors that are no joints, whose drives are not identified");
   const canonical::Arm arm = canonical::whatever_notation_with_links(described).front();
   const dynamics::DriveRegressor found = dynamics::regressor_with_drives(arm.robot, arm.reversed);
   const dynamics::Regressor& regressor = found.regressor;

@@ -186,6 +186,7 @@ struct Motion {
       }
     }
     for (Eigen::Index i = 0; i < n; ++i) {
+      values[derive::dynamics::velocity_of(variables[static_cast<std::size_t>(i)])] = qd[i];
       values[derive::dynamics::acceleration_of(variables[static_cast<std::size_t>(i)])] = qdd[i];
       values[derive::dynamics::force_of(variables[static_cast<std::size_t>(i)])] = force[i];
     }

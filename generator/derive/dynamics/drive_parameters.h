@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "model/robot.h"
+
 namespace qvgen::derive::dynamics {
 
 /// Parameters of a joint's drive, in which its share of the joint's force is linear: rotor inertia times the
@@ -15,15 +17,20 @@ enum class DriveParameter { rotor_inertia, viscous_friction, coulomb_friction, o
 inline constexpr std::array drive_parameters{DriveParameter::rotor_inertia, DriveParameter::viscous_friction,
                                              DriveParameter::coulomb_friction, DriveParameter::offset};
 
-/// Returns the place of a parameter among those of all joints: four of each.
-inline std::size_t place_of(std::size_t joint, DriveParameter kind) {
-  return drive_parameters.size() * joint + static_cast<std::size_t>(kind);
+/// Returns how many drives have parameters: those of the joints, then those of motors that are no joints.
+inline std::size_t drive_count(const model::Robot& robot) {
+  return robot.joints.size() + robot.motors.size();
 }
 
-/// Symbol of a joint's drive parameter: "%6".
+/// Returns the place of a parameter among those of all drives: four of each.
+inline std::size_t place_of(std::size_t drive, DriveParameter kind) {
+  return drive_parameters.size() * drive + static_cast<std::size_t>(kind);
+}
+
+/// Symbol of a drive's parameter: "%6".
 inline std::string drive_parameter(std::size_t place) { return "%" + std::to_string(place); }
-inline std::string drive_parameter(std::size_t joint, DriveParameter kind) {
-  return drive_parameter(place_of(joint, kind));
+inline std::string drive_parameter(std::size_t drive, DriveParameter kind) {
+  return drive_parameter(place_of(drive, kind));
 }
 
 }  // namespace qvgen::derive::dynamics

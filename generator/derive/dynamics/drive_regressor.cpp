@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
 #include "dag/evaluate.h"
 #include "derive/dynamics/column_relations.h"
@@ -39,51 +38,99 @@ std::vector<DriveColumn> columns_of_links(const Regressor& links, std::size_t ro
   return columns;
 }
 
-/// Returns the factor of a drive of the chain, in terms of the joint that moves it. With the ratio r it turns
-/// r times as fast, and its force counts r times.
-dag::Edge factor_of(DriveParameter kind, const cln::cl_RA& ratio, const std::string& driven, bool reversed,
-                    dag::Graph& graph) {
-  const auto times = [&](const cln::cl_RA& factor, dag::Edge value) {
-    return graph.product({graph.constant(exact::Number(factor)), value});
-  };
-  switch (kind) {
-    case DriveParameter::rotor_inertia:
-      return times(ratio * ratio, graph.symbol(acceleration_of(driven)));
-    case DriveParameter::viscous_friction:
-      return times(ratio * ratio, graph.symbol(velocity_of(driven)));
-    case DriveParameter::coulomb_friction:
-      return times(cln::abs(ratio), graph.symbol(direction_of(driven)));
-    case DriveParameter::offset:
-      break;
+/// A drive with what moves it: it turns by the shares' sum, and its force counts by each share's ratio.
+struct DriveUnit {
+  std::string suffix;  ///< of its parameters' names: the joint's number, or '_' and the motor's name
+  std::vector<model::Share> shares;
+  bool reversed = false;  ///< its offset counts the other way
+};
+
+/// Returns the drives in the order of their parameters.
+std::vector<DriveUnit> units_of(const model::Robot& robot, const std::vector<bool>& reversed) {
+  std::vector<DriveUnit> units;
+  for (std::vector<model::Share>& shares : model::shares(robot)) {
+    const std::size_t i = units.size();
+    units.push_back({std::to_string(i + 1), std::move(shares), !reversed.empty() && reversed[i]});
   }
-  return graph.constant(exact::Number(reversed ? -ratio : ratio));
+  const std::vector<std::string> driven = model::variables(robot);
+  for (const model::Motor& motor : robot.motors) {
+    const auto place = std::find(driven.begin(), driven.end(), motor.variable) - driven.begin();
+    units.push_back({"_" + motor.variable, {{static_cast<std::size_t>(place), 1}}});
+  }
+  return units;
 }
 
-/// The columns of one kind of drive parameter, a chain's joint each.
-std::vector<DriveColumn> columns_of_drives(const model::Robot& robot, const std::vector<bool>& reversed,
-                                           DriveParameter kind, Regressor& regressor) {
-  dag::Graph& graph = regressor.formulation.function.graph;
-  const std::vector<std::vector<model::Share>> shares = model::shares(robot);
-  const std::vector<std::string> coordinates = model::coordinates(robot);
+/// Coulomb friction of a joint that several move acts by the direction of their sum, which is no argument.
+bool has_column(DriveParameter kind, const DriveUnit& unit) {
+  return kind != DriveParameter::coulomb_friction || unit.shares.size() == 1;
+}
+
+/// Writes the columns of drives, one entry for each coordinate.
+class DriveColumns {
+ public:
+  DriveColumns(const model::Robot& robot, dag::Graph& graph)
+      : coordinates_(model::coordinates(robot)), base_(model::base_motions(robot)), graph_(graph) {}
+
+  std::vector<dag::Edge> entries(DriveParameter kind, const DriveUnit& unit) {
+    std::vector<dag::Edge> column(coordinates_.size(), graph_.constant(0));
+    for (const model::Share& share : unit.shares)
+      column[base_ + share.driven] = force(kind, unit, share.ratio);
+    return column;
+  }
+
+ private:
+  /// Returns the force on a motor by a unit of the parameter; the drive has this ratio to the motor.
+  dag::Edge force(DriveParameter kind, const DriveUnit& unit, const cln::cl_RA& ratio) {
+    switch (kind) {
+      case DriveParameter::rotor_inertia:
+        return motion(ratio, unit, acceleration_of);
+      case DriveParameter::viscous_friction:
+        return motion(ratio, unit, velocity_of);
+      case DriveParameter::coulomb_friction:
+        return times(cln::abs(ratio), direction_of(coordinates_[base_ + unit.shares.front().driven]));
+      case DriveParameter::offset:
+        break;
+    }
+    return graph_.constant(exact::Number(unit.reversed ? -ratio : ratio));
+  }
+  /// The drive's own rate or acceleration, times a factor.
+  dag::Edge motion(const cln::cl_RA& factor, const DriveUnit& unit, std::string (*of)(const std::string&)) {
+    std::vector<dag::Edge> sum;
+    for (const model::Share& share : unit.shares)
+      sum.push_back(times(factor * share.ratio, of(coordinates_[base_ + share.driven])));
+    return sum.size() == 1 ? sum.front() : graph_.sum(sum);
+  }
+  dag::Edge times(const cln::cl_RA& factor, const std::string& symbol) {
+    return graph_.product({graph_.constant(exact::Number(factor)), graph_.symbol(symbol)});
+  }
+
+  std::vector<std::string> coordinates_;
+  std::size_t base_;
+  dag::Graph& graph_;
+};
+
+/// The columns of one kind of drive parameter; says so of drives that have none.
+std::vector<DriveColumn> columns_of_drives(const model::Robot& robot, const std::vector<DriveUnit>& units,
+                                           DriveParameter kind, DriveRegressor& result) {
+  DriveColumns writer(robot, result.regressor.formulation.function.graph);
   std::vector<DriveColumn> columns;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const auto& [driven, ratio] = shares[i].front();
-    const std::size_t row = model::base_motions(robot) + driven;
-    const bool opposite = !reversed.empty() && reversed[i];
-    DriveColumn column{short_names().at(kind) + std::to_string(i + 1),
-                       std::vector<dag::Edge>(coordinates.size(), graph.constant(0)),
-                       regressor.base_parameters.graph.symbol(drive_parameter(i, kind))};
-    column.entries[row] = factor_of(kind, ratio, coordinates[row], opposite, graph);
-    columns.push_back(std::move(column));
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::string name = short_names().at(kind) + units[i].suffix;
+    if (has_column(kind, units[i]))
+      columns.push_back({name, writer.entries(kind, units[i]),
+                         result.regressor.base_parameters.graph.symbol(drive_parameter(i, kind))});
+    else
+      result.left_out.push_back(name +
+                                " has no column, and counts for nothing: several motors move its joint");
   }
   return columns;
 }
 
-/// The order in which columns are kept: with offsets first no coefficient divides by gravity.
-std::vector<std::size_t> order_of(std::size_t links, std::size_t drives_of_kind) {
+/// The order in which columns are kept: with offsets, the last ones, first no coefficient divides by gravity.
+std::vector<std::size_t> order_of(std::size_t columns, std::size_t offset_count) {
   std::vector<std::size_t> order;
-  const std::size_t offsets = links + 3 * drives_of_kind;
-  for (std::size_t i = 0; i < drives_of_kind; ++i) order.push_back(offsets + i);
+  const std::size_t offsets = columns - offset_count;
+  for (std::size_t i = 0; i < offset_count; ++i) order.push_back(offsets + i);
   for (std::size_t i = 0; i < offsets; ++i) order.push_back(i);
   return order;
 }
@@ -107,9 +154,9 @@ Relations relations_of(const model::Robot& robot, const Formulation& links, std:
   const std::size_t left_out = robot.floating_base ? count_of_links : 0;
   const std::vector<DriveColumn> compared(columns.begin() + static_cast<std::ptrdiff_t>(left_out),
                                           columns.end());
-  const Relations found = relations_of_columns(
-      robot, {function_of(links.function.graph, compared), links.constants}, model::coordinate_count(robot),
-      order_of(count_of_links - left_out, robot.joints.size()));
+  const Relations found =
+      relations_of_columns(robot, {function_of(links.function.graph, compared), links.constants},
+                           model::coordinate_count(robot), order_of(compared.size(), drive_count(robot)));
   Relations result(left_out);
   for (const std::optional<Relation>& relation : found) {
     result.emplace_back();
@@ -167,14 +214,13 @@ std::vector<DriveColumn> reduced(std::vector<DriveColumn> columns, const Relatio
 }  // namespace
 
 DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vector<bool>& reversed) {
-  if (!robot.motors.empty())
-    throw std::domain_error("joints follow motors that are no joints, whose drives have no columns");
   DriveRegressor result{regressor(robot), {}, {}, {}};
   Regressor& regressor = result.regressor;
   std::vector<DriveColumn> columns = columns_of_links(regressor, model::coordinate_count(robot));
   const std::size_t links = columns.size();
+  const std::vector<DriveUnit> units = units_of(robot, reversed);
   for (const DriveParameter kind : drive_parameters)
-    for (DriveColumn& column : columns_of_drives(robot, reversed, kind, regressor))
+    for (DriveColumn& column : columns_of_drives(robot, units, kind, result))
       columns.push_back(std::move(column));
 
   const Relations relations = relations_of(robot, regressor.formulation, links, columns);

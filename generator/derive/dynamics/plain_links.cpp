@@ -75,10 +75,16 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
 }
 
 PlainRecursion::Drive PlainRecursion::drive_of(const model::Robot& robot, const model::Joint& driven) const {
-  const auto is_it = [&](const model::Joint& joint) { return joint.variable == driven.variable; };
-  if (std::any_of(robot.joints.begin(), robot.joints.end(), is_it)) return {};
-  return {number_of(driven.drive.rotor_inertia), number_of(driven.drive.viscous_friction),
-          number_of(driven.drive.coulomb_friction), point_.symbol(direction_of(driven.variable))};
+  const auto found = std::find_if(robot.motors.begin(), robot.motors.end(), [&](const model::Motor& motor) {
+    return motor.variable == driven.variable;
+  });
+  if (found == robot.motors.end()) return {};
+  return {found - robot.motors.begin(),
+          number_of(driven.drive.rotor_inertia),
+          number_of(driven.drive.viscous_friction),
+          number_of(driven.drive.coulomb_friction),
+          0,
+          point_.symbol(direction_of(driven.variable))};
 }
 
 Number PlainRecursion::number_of(const model::Expression& expression) const {
@@ -136,7 +142,7 @@ PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displa
 }
 
 void PlainRecursion::take_standard_parameters() {
-  drives_.assign(drives_.size(), {});
+  for (Drive& drive : drives_) drive.rotor = drive.viscous = drive.coulomb = 0;
   std::size_t body = 0;
   if (floats()) take_standard_parameters_of(body++, base_mass_, base_centre_, base_inertia_);
   for (Link& link : links_) {
@@ -158,13 +164,19 @@ void PlainRecursion::take_standard_parameters_of(std::size_t body, Number& mass,
 }
 
 void PlainRecursion::take_drive_parameters() {
+  const auto take = [&](std::size_t unit, auto& to) {
+    const auto value = [&](DriveParameter kind) { return point_.symbol(drive_parameter(unit, kind)); };
+    to.rotor = value(DriveParameter::rotor_inertia);
+    to.viscous = value(DriveParameter::viscous_friction);
+    to.coulomb = value(DriveParameter::coulomb_friction);
+    to.offset = value(DriveParameter::offset);
+  };
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const auto value = [&](DriveParameter kind) { return point_.symbol(drive_parameter(i, kind)); };
-    links_[i].rotor = value(DriveParameter::rotor_inertia);
-    links_[i].viscous = value(DriveParameter::viscous_friction);
-    links_[i].coulomb = value(DriveParameter::coulomb_friction);
-    links_[i].offset = value(DriveParameter::offset);
+    take(i, links_[i]);
+    if (shares_[i].size() > 1) links_[i].coulomb = 0;
   }
+  for (Drive& drive : drives_)
+    if (drive.motor) take(links_.size() + *drive.motor, drive);
 }
 
 void PlainRecursion::remove_friction() {

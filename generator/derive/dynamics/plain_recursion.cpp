@@ -100,7 +100,8 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
     const Drive& drive = drives_[k];
     const std::size_t at = base_motions_ + k;
     const Number coulomb = rates[at].is_zero() ? Number(0) : drive.coulomb * drive.direction;
-    result[at] = result[at] + drive.rotor * accelerations[at] + drive.viscous * rates[at] + coulomb;
+    result[at] =
+        result[at] + drive.rotor * accelerations[at] + drive.viscous * rates[at] + coulomb + drive.offset;
   }
   return result;
 }

@@ -138,9 +138,10 @@ class PlainRecursion {
   Frame base_;
   Vector tool_;  ///< in the last link's frame
   std::vector<Link> links_;
-  /// Drive of a motor: inertia, friction of both kinds, and the sign of its rate.
+  /// Drive of a motor: inertia, friction of both kinds, offset, and the sign of its rate.
   struct Drive {
-    Number rotor, viscous, coulomb, direction;
+    std::optional<std::size_t> motor = {};  ///< index among the robot's motors
+    Number rotor, viscous, coulomb, offset, direction;
   };
   /// Nothing for a joint: its link has the drive.
   [[nodiscard]] Drive drive_of(const model::Robot& robot, const model::Joint& driven) const;

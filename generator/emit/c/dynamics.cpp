@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "derive/dynamics/drive_parameters.h"
 #include "emit/c/parts.h"
 #include "emit/c/printer.h"
 #include "emit/leaves.h"
@@ -176,7 +177,7 @@ Function identifiable_parameters(const model::Robot& robot,
                                  const derive::dynamics::DriveRegressor& drive_regressor) {
   const Code code = identifiable_parameters_code(robot, drive_regressor.regressor, printer());
   const std::string standard = "[" + std::to_string(10 * model::body_count(robot)) + "]";
-  const std::string drives = "[" + std::to_string(4 * robot.joints.size()) + "]";
+  const std::string drives = "[" + std::to_string(4 * derive::dynamics::drive_count(robot)) + "]";
   Function function{
       "identifiable_parameters",
       {"Columns' parameters in terms of ten standard parameters of each link, as base_parameters takes "

@@ -281,7 +281,8 @@ Code identifiable_parameters_code(const model::Robot& robot, const derive::dynam
   Known known{{derive::dynamics::gravity_symbol, ast::name("gravity")}};
   for (std::size_t i = 0; i < 10 * model::body_count(robot); ++i)
     known[derive::dynamics::standard_parameter(i)] = ast::entry("standard", i);
-  for (std::size_t i = 0; i < derive::dynamics::drive_parameters.size() * robot.joints.size(); ++i)
+  for (std::size_t i = 0;
+       i < derive::dynamics::drive_parameters.size() * derive::dynamics::drive_count(robot); ++i)
     known[derive::dynamics::drive_parameter(i)] = ast::entry("drives", i);
   return straight_code(regressor.base_parameters, constant_leaves(robot, known), language);
 }
@@ -330,7 +331,11 @@ json identifiable_parameter_values(const model::Robot& robot,
                                    const derive::dynamics::DriveRegressor& drive_regressor) {
   const derive::dynamics::Regressor& regressor = drive_regressor.regressor;
   const Code code = identifiable_parameters_code(robot, regressor);
-  return {{"links", std::to_string(robot.joints.size())},
+  std::vector<std::string> motors;
+  for (const model::Motor& motor : robot.motors) motors.push_back(motor.variable);
+  return {{"drive_count", derive::dynamics::drive_count(robot)},
+          {"has_motors", !motors.empty()},
+          {"motors", motors.empty() ? "" : fmt::format(", then of the motors {}", fmt::join(motors, ", "))},
           {"identifiable_parameters", named_parameters(code, regressor)},
           {"identifiable_count", code.outputs.size()},
           {"parameter_set_up", values_of(code.temporaries)},

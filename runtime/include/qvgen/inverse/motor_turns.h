@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include <qvgen/inverse/tolerances.h>
 #include <qvgen/inverse/turn_range.h>
@@ -30,39 +32,14 @@ struct MotorTurns {
 
 namespace inverse {
 
-/// Values that no motion moves with others, several at once; see within.h. Others are left as they are.
-template <int bounded>
-class LoneValues {
- public:
-  using Numbers = Eigen::Array<double, bounded, 1>;
-
-  /// A value that stays.
-  void hold(int place, double lower, double upper) {
-    lower_[place] = lower - limit_tolerance;
-    upper_[place] = upper + limit_tolerance;
-  }
-  void turn(int place, const TurnRange& range) {
-    hold(place, range.lower, range.upper);
-    step_[place] = range.step;
-    per_step_[place] = range.per_step;
-    middle_[place] = range.middle;
-  }
-  /// Brings values next to their centres. Returns false if one is outside.
-  bool settle(Eigen::Matrix<double, bounded, 1>& values) const {
-    const Numbers turned = values.array() + step_ * nearest_whole((middle_ - values.array()) * per_step_);
-    values = turned.matrix();
-    return (turned - lower_).min(upper_ - turned).minCoeff() >= 0;
-  }
-
- private:
-  Numbers step_ = Numbers::Zero(), per_step_ = Numbers::Zero(), middle_ = Numbers::Zero();
-  Numbers lower_ = Numbers::Constant(-TurnRange::far), upper_ = Numbers::Constant(TurnRange::far);
-};
-
 /// The representatives of rows within limits of motors, and of joints that have limits of their own.
-/// `Map` is generated: `turns`, `values`, `motor_of`, `own_lower`, `own_upper`.
+/// `Map` is generated: `turns`, `values`, `motor_of`, `own_lower`, `own_upper`. A level is a motion. Levels
+/// as types (`Constant`) make loops over values straight code, with the zeros of the motions gone.
 template <class Map>
 class WithinMotors {
+  template <int level>
+  using Constant = std::integral_constant<int, level>;
+
  public:
   static constexpr int dof = Map::dof, bounded = Map::bounded;
   using Values = Eigen::Matrix<double, bounded, 1>;
@@ -72,20 +49,26 @@ class WithinMotors {
   WithinMotors(const JointLimits<dof>& limits, const Joints<dof>& centre)
       : centre_(Map::values(centre.unaryExpr(&sensible))) {
     for (int i = 0; i < bounded; ++i) set_limits(i, limits);
-    for (int i = 0; i < begin_of(0); ++i) alone_.hold(i, lower_[i], upper_[i]);
-    for (int level = 0; level < Map::turns.count; ++level) set_level(level);
+    for_levels([&](auto level) {
+      const int pivot = begin_of(level);
+      ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
+    });
   }
 
   [[nodiscard]] const TurnRange& range(int level) const { return ranges_[level]; }
-  static void turn(int level, double number, Values& values) {
-    for (int i = Map::turns.pivot[level]; i < bounded; ++i) values[i] += number * Map::turns.motion[level][i];
+  template <class Level>
+  static void turn(Level level, double number, Values& values) {
+    for (int i = begin_of(level); i < bounded; ++i)
+      if (const double motion = Map::turns.motion[level][i]; motion != 0) values[i] += number * motion;
   }
-  static Values turned(int level, double number, Values from) {
+  template <class Level>
+  static Values turned(Level level, double number, Values from) {
     turn(level, number, from);
     return from;
   }
   /// True if the values that no later motion moves, behind those of the level before, are inside.
-  [[nodiscard]] bool is_inside(int level, const Values& values) const {
+  template <class Level>
+  [[nodiscard]] bool is_inside(Level level, const Values& values) const {
     for (int i = begin_of(level); i < begin_of(level + 1); ++i)
       if (!holds(i, values[i])) return false;
     return true;
@@ -110,11 +93,10 @@ class WithinMotors {
   /// of its distance. Returns false if there is none; `is_cut` is then set if the search was given up.
   bool take_nearest(Joints<dof>& motors, double& square, bool& is_cut) const {
     Values values = Map::values(motors);
-    if (!alone_.settle(values)) return false;
-    for (int level = 0; level < Map::turns.count; ++level)
-      if (!is_alone(level) && !settle_from(level, values, is_cut)) return false;
-    square = 0;
-    for (int level = -1; level < Map::turns.count; ++level) square += part(level, values);
+    if (!is_inside(Constant<-1>(), values) || !settle_from(Constant<0>(), values, false, is_cut))
+      return false;
+    square = part(Constant<-1>(), values);
+    for_levels([&](auto level) { square += part(level, values); });
     motors = motors_of(values);
     return true;
   }
@@ -130,25 +112,23 @@ class WithinMotors {
   static double sensible(double centre) { return std::abs(centre) < tolerance::lost_centre ? centre : 0.0; }
   static constexpr int motor_at(int place) { return Map::motor_of[static_cast<std::size_t>(place)]; }
   static constexpr bool is_motor(int place) { return motor_at(place) >= 0; }
+  /// Calls `visit(level)` for all levels.
+  template <class Visit>
+  static void for_levels(const Visit& visit) {
+    visit_levels(visit, std::make_integer_sequence<int, bounded>());
+  }
+  template <class Visit, int... level>
+  static void visit_levels(const Visit& visit, std::integer_sequence<int, level...> /*levels*/) {
+    ((level < Map::turns.count ? visit(Constant<level>()) : void()), ...);
+  }
   /// The first value that is settled by a level; those before the first pivot are by level -1.
   static int begin_of(int level) { return level < 0 ? 0 : Map::turns.pivot[level]; }
 
   /// True if a motion moves its pivot alone, and no other one does.
-  static bool is_alone(int level) {
+  template <class Level>
+  static bool is_alone(Level level) {
     return Map::turns.ends_block[level] && begin_of(level + 1) - begin_of(level) == 1 &&
            (level == 0 || Map::turns.ends_block[level - 1]);
-  }
-  void set_level(int level) {
-    const int pivot = begin_of(level);
-    ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
-    if (is_alone(level)) return alone_.turn(pivot, ranges_[level]);
-    double square = 0;
-    for (int i = pivot; i < begin_of(level + 1); ++i) {
-      const double motion = Map::turns.motion[level][i];
-      per_motion_[i] = motion != 0 ? 1 / motion : 0;
-      if (is_motor(i)) square += motion * motion;
-    }
-    per_square_[level] = square != 0 ? 1 / square : 0;
   }
   /// Limits that are not a range admit nothing: no value is between these.
   void set_limits(int place, const JointLimits<dof>& limits) {
@@ -160,40 +140,53 @@ class WithinMotors {
     upper_[place] = is_range ? upper : -TurnRange::far;
   }
   /// Share of a level's motors in the square of the distance from the centre.
-  [[nodiscard]] double part(int level, const Values& values) const {
+  template <class Level>
+  [[nodiscard]] double part(Level level, const Values& values) const {
     double sum = 0;
     for (int i = begin_of(level); i < begin_of(level + 1); ++i)
       if (is_motor(i)) sum += (values[i] - centre_[i]) * (values[i] - centre_[i]);
     return sum;
   }
 
-  /// Settles a level, and those behind it of its block, `level` then being the last, where several numbers
-  /// are to be tried.
-  bool settle_from(int& level, Values& values, bool& is_cut) const {
-    if (Map::turns.ends_block[level]) return settle(level, values);
-    return ranges_[level].has_one_place() ? take_only(level, values) : search(level, values, is_cut);
+  /// Settles the levels from one on. `is_searched`: a search has settled what this one's block has left.
+  template <int level>
+  bool settle_from(Constant<level> at, Values& values, bool is_searched, bool& is_cut) const {
+    if constexpr (level < bounded) {
+      if (level >= Map::turns.count) return true;
+      const bool is_last = Map::turns.ends_block[level];
+      const bool has_one = is_alone(at) || (!is_last && ranges_[level].has_one_place());
+      const bool searches = !is_last && !has_one && !is_searched;
+      if (!is_searched)
+        if (!(has_one ? take_only(at, values) : searches ? search(at, values, is_cut) : settle(at, values)))
+          return false;
+      return settle_from(Constant<level + 1>(), values, !is_last && (is_searched || searches), is_cut);
+    }
+    return true;
   }
   /// Settles the last level of a block. All its values move along a line, on which limits leave a piece and
   /// the distance has one least value: no number is tried. Returns false if nothing is inside.
-  bool settle(int level, Values& values) const {
-    double least = -TurnRange::far, most = TurnRange::far, wanted = 0;
+  template <class Level>
+  bool settle(Level level, Values& values) const {
+    double least = -TurnRange::far, most = TurnRange::far, wanted = 0, square = 0;
     for (int i = begin_of(level); i < begin_of(level + 1); ++i) {
-      const double motion = Map::turns.motion[level][i], per_motion = per_motion_[i];
-      const double down = (lower_[i] - limit_tolerance - values[i]) * per_motion;
-      const double up = (upper_[i] + limit_tolerance - values[i]) * per_motion;
-      if (per_motion != 0) {
-        least = std::max(least, per_motion > 0 ? down : up);
-        most = std::min(most, per_motion > 0 ? up : down);
+      const double motion = Map::turns.motion[level][i];
+      if (motion != 0) {
+        const double down = (lower_[i] - limit_tolerance - values[i]) * (1 / motion);
+        const double up = (upper_[i] + limit_tolerance - values[i]) * (1 / motion);
+        least = std::max(least, motion > 0 ? down : up);
+        most = std::min(most, motion > 0 ? up : down);
       } else if (!holds(i, values[i])) {
         return false;
       }
-      if (is_motor(i)) wanted += motion * (centre_[i] - values[i]);
+      if (!is_motor(i)) continue;
+      wanted += motion * (centre_[i] - values[i]);
+      square += motion * motion;
     }
     least = whole_above(least);
     most = -whole_above(-most);
     if (!(least <= most)) return false;
-    values =
-        turned(level, std::min(std::max(nearest_whole(wanted * per_square_[level]), least), most), values);
+    const double number = square != 0 ? nearest_whole(wanted * (1 / square)) : 0;
+    turn(level, std::min(std::max(number, least), most), values);
     return true;
   }
   static double whole_above(double value) {
@@ -205,26 +198,30 @@ class WithinMotors {
   }
 
   /// Takes the only number of a level that may be inside.
-  bool take_only(int level, Values& values) const {
+  template <class Level>
+  bool take_only(Level level, Values& values) const {
     turn(level, ranges_[level].nearest(values[begin_of(level)]), values);
     return is_inside(level, values);
   }
-  /// Searches a block from a level on, which becomes the block's last.
-  bool search(int& level, Values& values, bool& is_cut) const {
+  /// Searches a block from a level on.
+  template <class Level>
+  bool search(Level level, Values& values, bool& is_cut) const {
     Search search;
     descend(level, values, 0, search);
-    while (!Map::turns.ends_block[level]) ++level;
     const bool is_found = search.square < std::numeric_limits<double>::infinity();
     if (is_found) values = search.best;
     is_cut = is_cut || (!is_found && search.tries >= most_tries);
     return is_found;
   }
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as a block has motions
-  void descend(int level, Values from, double square, Search& search) const {
-    if (Map::turns.ends_block[level]) {
-      if (settle(level, from)) keep(from, square + part(level, from), search);
-      return;
-    }
+  template <int at>
+  void descend(Constant<at> level, Values from, double square, Search& search) const {
+    if constexpr (at + 1 < bounded)
+      if (!Map::turns.ends_block[at]) return try_numbers(level, from, square, search);
+    if (settle(level, from)) keep(from, square + part(level, from), search);
+  }
+  /// Tries the numbers of a level that may be inside and nearer than what was found.
+  template <int at>
+  void try_numbers(Constant<at> level, const Values& from, double square, Search& search) const {
     const int pivot = Map::turns.pivot[level];
     TurnNumbers numbers(from[pivot], ranges_[level]);
     double number = 0;
@@ -235,7 +232,7 @@ class WithinMotors {
       if (square + off * off >= search.square)
         numbers.end_side();
       else if (is_inside(level, values))
-        descend(level + 1, values, square + part(level, values), search);
+        descend(Constant<at + 1>(), values, square + part(level, values), search);
     }
   }
   static void keep(const Values& values, double square, Search& search) {
@@ -244,10 +241,9 @@ class WithinMotors {
     search.square = square;
   }
 
-  double lower_[bounded], upper_[bounded], per_motion_[bounded] = {}, per_square_[bounded] = {};
+  double lower_[bounded], upper_[bounded];
   Values centre_;
   TurnRange ranges_[bounded];
-  LoneValues<bounded> alone_;
 };
 
 }  // namespace inverse
