@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "judge.h"
+#include "nearly_free.h"
 
 namespace qvgen::test {
 
@@ -65,6 +66,15 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
     asked_ = true;
     drawn_ = drawn_ || sample;
     return sample;
+  }
+
+  /// Next to singular poses a row stands for the sampled joints, or the status says that some may be missing:
+  /// at one pose of twenty, at most.
+  void expect_a_row_next_to_singular_poses(int poses) {
+    const LostRows result = lost_next_to_singular(test(), poses);
+    EXPECT_GT(result.calls, 0);
+    EXPECT_LE(result.told, 1 + result.calls / 20);
+    EXPECT_EQ(result.lost, 0) << "of " << result.calls << " calls, the first: " << result.first;
   }
 
   /// Every pose of a set, until one is wrong.

@@ -113,6 +113,11 @@ TEST_P(InverseSeed, WhatIsNearlyFreeIsMarked) {
   }
 }
 
+TEST_P(InverseSeed, ARowStandsForJointsNextToSingularOnes) {
+  if (by_elimination()) GTEST_SKIP() << "the law of tests/elimination";
+  expect_a_row_next_to_singular_poses(pose_count() / 5);
+}
+
 TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {
   for (int i = 0; i < 50; ++i) {
     const Eigen::VectorXd q = test().joints();

@@ -78,6 +78,8 @@ TEST_P(FreeSlide, EveryOtherPose) {
   for (const char* set : {"random", "a joint at 0", "a joint at 10^-u", "boundary", "float32"}) run(set, 200);
 }
 
+TEST_P(FreeSlide, ARowStandsForJointsNextToSingularOnes) { expect_a_row_next_to_singular_poses(100); }
+
 INSTANTIATE_TEST_SUITE_P(Arms, FreeSlide, testing::ValuesIn(inverses()), name_of);
 
 TEST(FreeSlides, NoArmIsLeftOut) { EXPECT_EQ(inverses().size(), 4U); }

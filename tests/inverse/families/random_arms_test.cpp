@@ -17,6 +17,9 @@ TEST_P(RandomArm, ToolPointOnTheFirstAxis) { expect_found_or_told("tool on axis 
 
 TEST_P(RandomArm, EveryPieceOfAContinuumHasARow) { expect_a_row_on_every_piece(); }
 
+TEST_P(RandomArm, ARowStandsForJointsNextToSingularOnes) {
+  expect_a_row_next_to_singular_poses(pose_count() / 10);
+}
 TEST_P(RandomArm, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 TEST_P(RandomArm, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 TEST_P(RandomArm, WithinLimitsTheSeedComesFirst) { expect_the_seed_first_within_limits(); }

@@ -109,24 +109,33 @@ Scalar widest_blur() {
   return Scalar(64);
 }
 
+/// True if a direction may be so far from where the pose has it that rows have to be marked: half a
+/// milliradian or more. The squares are those of its vector's length and of the largest disc that rounding
+/// leaves.
+template <typename Scalar>
+Mask<Scalar> is_marked(const Scalar& square, const Scalar& disc) {
+  return square <= Scalar(tolerance::marked) * disc;
+}
+
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the
-/// caller's choice is taken and the branch is marked; what the other signs then lead to may be the same.
-/// Where it is not much longer the direction may be noise.
+/// caller's choice is taken; what the other signs then lead to may be the same. Where it is not much longer
+/// the direction may be noise. The branch is marked in either case.
 template <typename Scalar, bool opposites = false>
 Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& choice,
                         Branch<Scalar>& branch) {
   using std::sqrt;
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
-  branch.continuum = branch.continuum | (branch.exists & is_free);
-  branch.doubt(square <= Scalar(tolerance::blurred) * tiny);
+  const Mask<Scalar> blurred = is_blurred(square, tiny);
+  branch.doubt(blurred);
   if constexpr (leaves_singular_poses<Scalar>) return (Scalar(1) / sqrt(square)) * v;
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   Rotor<Scalar> unit = scale * v;
-  const Mask<Scalar> blurred = is_blurred(square, tiny);
   if (any(blurred)) {
-    const Rotor<Scalar> near = turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square),
-                                                            Scalar(widest_blur<Scalar>() * tiny));
+    const Scalar disc = widest_blur<Scalar>() * tiny;
+    branch.continuum = branch.continuum | (branch.exists & is_marked(square, disc));
+    const Rotor<Scalar> near =
+        turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square), disc);
     unit = {select(blurred, near.cosine, unit.cosine), select(blurred, near.sine, unit.sine)};
   }
   return {select(is_free, choice.cosine, unit.cosine), select(is_free, choice.sine, unit.sine)};
@@ -151,12 +160,13 @@ Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const
   // A choice without length is nobody's.
   branch.doubt(blurred & (magnitude(brief_choice.cosine) + magnitude(brief_choice.sine) == Scalar(0)));
   const Mask<Scalar> is_free = square <= tiny;
-  branch.continuum = branch.continuum | (branch.exists & is_free);
+  const Scalar disc = widest_blur<Scalar>() * tiny;
+  branch.continuum = branch.continuum | (branch.exists & is_marked(square, disc));
   const Scalar safe = select(is_free, Scalar(1), length);
   const Scalar unbrief(1 / brief_length);
-  const Rotor<Scalar> near = safe * turned_to<Scalar, opposites>(
-                                        unbrief * brief_choice, Scalar(Scalar(1) / safe) * v,
-                                        select(is_free, tiny, square), Scalar(widest_blur<Scalar>() * tiny));
+  const Rotor<Scalar> near =
+      safe * turned_to<Scalar, opposites>(unbrief * brief_choice, Scalar(Scalar(1) / safe) * v,
+                                          select(is_free, tiny, square), disc);
   const Rotor<Scalar> seen{select(blurred, near.cosine, v.cosine), select(blurred, near.sine, v.sine)};
   length = select(is_free, Scalar(brief_length), length);
   return {select(is_free, brief_choice.cosine, seen.cosine), select(is_free, brief_choice.sine, seen.sine)};

@@ -60,8 +60,8 @@ inline constexpr double least_fold = digits(5e-13);
 inline constexpr double blurred = digits(1e16);
 /// Nearly free: a digit more, for what earlier steps have magnified.
 inline constexpr double nearly_free = digits(1e18);
-/// A wrist's row is marked, as a multiple of `widest_wrist_noise`: its outer joints may be half a milliradian
-/// from where the pose has them.
+/// A row is marked, as a multiple of the largest noise that rounding leaves in a direction: an angle may be
+/// half a milliradian from where the pose has it.
 inline constexpr double marked = digits(1e7);
 /// Chosen in place of a wrist's angle behind a double root, which carries half the digits.
 inline constexpr double choosable_behind_double_root = digits(1e14);
