@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The stack that headers of C promise, beside the stack that GCC takes.
 
-    python3 stack_test.py QVGEN FOLDER CC ROBOT...
+    python3 stack_test.py QVGEN FOLDER CC "LEVEL..." ROBOT...
 
 A line "Stack: at most N bytes." is held against GCC's own graph of calls (-fcallgraph-info=su): the deepest chain of frames from each
-public function, at every level of optimisation. Functions of libm are not counted on either side. Skipped where the compiler is not GCC.
+public function, at levels of optimisation such as -O2. Functions of libm are not counted on either side. Skipped where the compiler is not GCC.
 """
 import pathlib
 import re
@@ -12,7 +12,6 @@ import subprocess
 import sys
 
 SKIPPED = 77
-LEVELS = ("-O0", "-O1", "-O2", "-O3", "-Os")
 
 
 def promised(header):
@@ -51,7 +50,7 @@ def taken(cc, folder, sources, level, robot):
     return {name: deepest(name, frames, calls) for name in frames if name.startswith(robot + "_")}
 
 
-def check(cc, folder, robot):
+def check(cc, levels, folder, robot):
     names = [f"qvgen_{robot}{part}" for part in ("", "_inverse", "_velocity")]
     sources = [path for path in (folder / "c" / f"{name}.c" for name in names) if path.exists()]
     said = {}
@@ -59,7 +58,7 @@ def check(cc, folder, robot):
         said.update(promised(source.with_suffix(".h").read_text()))
     assert said, f"{robot}: no line says how much stack a function takes"
     failures, closest = 0, (0.0, "", "")
-    for level in LEVELS:
+    for level in levels:
         for name, bytes_ in taken(cc, folder, sources, level, robot).items():
             if name not in said:
                 continue
@@ -71,7 +70,7 @@ def check(cc, folder, robot):
     return failures
 
 
-def main(tool, folder, cc, *robots):
+def main(tool, folder, cc, levels, *robots):
     version = subprocess.run([cc, "--version"], capture_output=True, text=True).stdout
     if "Free Software Foundation" not in version:
         print(f"skipped: {cc} is not GCC, which says the stack of each function")
@@ -79,7 +78,7 @@ def main(tool, folder, cc, *robots):
     folder, failures = pathlib.Path(folder), 0
     for each in robots:
         subprocess.run([tool, "generate", each, "--language", "c", "--output", folder, "--quiet"], check=True)
-        failures += check(cc, folder, pathlib.Path(each).stem)
+        failures += check(cc, levels.split(), folder, pathlib.Path(each).stem)
     sys.exit(1 if failures else 0)
 
 

@@ -29,18 +29,18 @@ class GeneralArm : public testing::TestWithParam<Arm> {
 TEST_P(GeneralArm, FindsTheSampledJoints) {
   for (const InstructionSet set : instruction_sets) {
     int unsure = 0;
-    for (int i = 0; i < pose_count(1000); ++i) {
+    for (int i = 0; i < pose_count(400); ++i) {
       const Joints6 q = arm_.joints(random_);
       const Found found = solve_at(q, set);
       unsure += found.status == Status::incomplete ? 1 : 0;
       EXPECT_TRUE(contains(arm_, found, q) || found.status == Status::incomplete) << "pose " << i;
     }
-    EXPECT_LE(unsure, pose_count(1000) / 100);
+    EXPECT_LE(unsure, pose_count(400) / 100);
   }
 }
 
 TEST_P(GeneralArm, EverySetFindsTheSame) {
-  for (int i = 0; i < pose_count(1000) / 10; ++i) {
+  for (int i = 0; i < pose_count(400) / 10; ++i) {
     const Joints6 q = arm_.joints(random_);
     const Found baseline = solve_at(q, InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
@@ -53,7 +53,7 @@ TEST_P(GeneralArm, EverySetFindsTheSame) {
 
 /// Every elimination that is kept finds all, alone: as many as all together.
 TEST_P(GeneralArm, EliminationsAgree) {
-  for (int i = 0; i < pose_count(1000) / 50; ++i) {
+  for (int i = 0; i < pose_count(400) / 50; ++i) {
     const Joints6 q = arm_.joints(random_);
     const Found found = solve_at(q);
     if (found.status == Status::incomplete) continue;

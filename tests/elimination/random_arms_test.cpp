@@ -11,7 +11,7 @@ namespace {
 
 int arm_count() {
   const char* text = std::getenv("QVGEN_ARMS");
-  return text == nullptr ? 25 : std::atoi(text);
+  return text == nullptr ? 10 : std::atoi(text);
 }
 
 /// Counts the poses of an arm whose solutions lack the joints that the pose was made from, and the poses that

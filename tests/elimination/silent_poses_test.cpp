@@ -64,7 +64,7 @@ class SilentPoses : public testing::TestWithParam<Arm> {
     const auto setup = inverse::elimination::set_up(arm.description());
     Random random(41);
     Count count;
-    for (int i = 0; i < pose_count(300); ++i) {
+    for (int i = 0; i < pose_count(100); ++i) {
       const std::optional<Joints6> q = draw(random, i);
       if (!q) continue;
       const auto found = solve(setup, Pose<double>::from_isometry(arm.tool(*q)), instruction_sets[i % 3]);

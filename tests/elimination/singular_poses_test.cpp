@@ -37,7 +37,7 @@ class SingularPoses : public testing::TestWithParam<Arm> {
   template <class Draw>
   Count count_drawn(const Draw& draw) {
     Count result;
-    for (int i = 0; result.poses < pose_count(500); ++i) {
+    for (int i = 0; result.poses < pose_count(200); ++i) {
       const std::optional<Joints6> q = draw(i);
       if (!q) continue;
       const Eigen::Isometry3d target = arm_.tool(*q);

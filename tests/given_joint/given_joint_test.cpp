@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seven joints within limits, one of them given: the intervals of its values, and rows wherever there are
 // any.
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -70,6 +71,12 @@ double regularity(const reference::Chain& chain, const Values& q, int given) {
   return reference::singular_values(others).values[5];
 }
 
+/// Times as many poses, by the environment variable QVGEN_TIMES.
+int times() {
+  const char* text = std::getenv("QVGEN_TIMES");
+  return text == nullptr ? 1 : std::atoi(text);
+}
+
 /// `intervals(pose, limits)`, `any(pose, limits)` and `near(pose, seed, limits)` of an arm: away from
 /// singular poses nothing is missed; next to them, where joints turn a hundred times as fast as the given
 /// one, next to nothing.
@@ -111,7 +118,7 @@ void expect_found(const char* description, int given, int count, const Forward& 
 TEST(GivenJoint, ByTheLastJoint) {
   namespace arm = robots::offset_wrist;
   expect_found(
-      "offset_wrist.toml", 6, 150, [](const Values& q) { return arm::forward_kinematics(q); },
+      "offset_wrist.toml", 6, 50 * times(), [](const Values& q) { return arm::forward_kinematics(q); },
       [](const auto& pose, const auto& limits) { return arm::given_intervals_q7(pose, limits); },
       [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q7(pose, limits); },
       [](const auto& pose, const auto& seed, const auto& limits) {
@@ -122,7 +129,7 @@ TEST(GivenJoint, ByTheLastJoint) {
 TEST(GivenJoint, ByElimination) {
   namespace arm = robots::skew_seven;
   expect_found(
-      "skew_seven.toml", 3, 15, [](const Values& q) { return arm::forward_kinematics(q); },
+      "skew_seven.toml", 3, 6 * times(), [](const Values& q) { return arm::forward_kinematics(q); },
       [](const auto& pose, const auto& limits) { return arm::given_intervals_q4(pose, limits); },
       [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q4(pose, limits); },
       [](const auto& pose, const auto& seed, const auto& limits) {

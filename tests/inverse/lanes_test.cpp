@@ -25,7 +25,7 @@ TEST_P(InverseLanes, SameAsOneAfterTheOther) {
   int compared = 0;
   for (const PoseSet& set : pose_sets()) {
     Case test(GetParam());
-    for (int i = 0; i < pose_count() / 4; ++i) {
+    for (int i = 0; i < pose_count() / 16; ++i) {
       const auto sample = set.draw(test, i);
       if (!sample) continue;
       for (const double tolerance : {1e-12, 1e-6}) {

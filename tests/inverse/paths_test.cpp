@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control loops through singular poses: no jump, and every pose held. 4,000 paths over all robots; the
+// Control loops through singular poses: no jump, and every pose held. 1,600 paths over all robots; the
 // environment variable QVGEN_PATHS asks for more of each set and robot.
 #include "paths.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 int path_count() {
   const char* text = std::getenv("QVGEN_PATHS");
-  return text == nullptr ? 20 : std::atoi(text);
+  return text == nullptr ? 8 : std::atoi(text);
 }
 
 class InversePaths : public Inverse {

@@ -7,7 +7,9 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_under_test.h"
@@ -18,6 +20,17 @@ namespace qvgen::test {
 inline std::map<std::string, InverseFunctions>& inverses_in_c() {
   static std::map<std::string, InverseFunctions> all;
   return all;
+}
+
+/// Names of arms whose C++ is not compiled.
+inline std::set<std::string>& in_c_alone() {
+  static std::set<std::string> all;
+  return all;
+}
+
+/// Registers an arm whose laws are held by its functions in C.
+inline bool add_inverse_in_c_alone(InverseUnderTest arm) {
+  return in_c_alone().insert(arm.name).second && add_inverse(std::move(arm));
 }
 
 /// A solution next to a seed within limits, by the same names.

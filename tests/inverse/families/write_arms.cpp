@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// write_random_arms TOOL FAMILY FOLDER COUNT ARMS_IN_A_FILE: descriptions of random arms, what the tool
-// generates from them, and C++ files that register all of it with the test.
+// write_random_arms TOOL FOLDER ARMS_IN_A_FILE [FAMILY COUNT SEEDS]...: descriptions of random arms, what the
+// tool generates from them, and C++ files that register all of it with the test. Each arm is registered in C;
+// those whose seeds are named ("1,6", "all"), and those that have no C, in C++ too.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "random_arm.h"
 
@@ -57,6 +61,12 @@ constexpr const char* by_pitch =
 constexpr const char* by_inclination =
     R"([](const Eigen::Vector3d& position, const Eigen::Vector3d& up, [[maybe_unused]] double given) { return copy(robot::inverse_kinematics@SUFFIX@(qvgen::PositionAndInclination<double>{position, up}@GIVEN@)); })";
 
+constexpr const char* header_in_cxx = "#include <qvgen/robots/@NAME@/inverse.h>\n";
+
+constexpr const char* in_c_alone =
+    R"(const bool alone = qvgen::test::add_inverse_in_c_alone({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info@SUFFIX@, {}, functions()});
+)";
+
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
 )";
@@ -80,7 +90,7 @@ qvgen::test::InverseFunctions functions() {
 @NEAR@@PITCH@@INCLINATION@  return all;
 }
 const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
-const bool within = qvgen::test::rows_within("@NAME@").emplace("C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); }).second;
+@ALONE@const bool within = qvgen::test::rows_within("@NAME@").emplace("C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); }).second;
 }
 }
 )";
@@ -143,8 +153,15 @@ std::string task(const fs::path& header) {
   return "";
 }
 
+/// An arm of a family, and whether its C++ is compiled beside its C.
+struct Arm {
+  std::string name;
+  bool in_cxx;
+};
+
 /// Registers the arm's functions in C behind the type of the C++ ones; empty if the arm has none.
-std::string registration_in_c(const Folder& folder, const std::string& name) {
+std::string registration_in_c(const Folder& folder, const Arm& arm) {
+  const std::string& name = arm.name;
   if (!fs::exists(folder.in_c(name))) return "";
   const fs::path header = folder.header(name);
   const std::string given = suffix(header), asked = task(header);
@@ -153,7 +170,9 @@ std::string registration_in_c(const Folder& folder, const std::string& name) {
   const bool has_inclination = asked == "position_and_inclination";
   const bool whole =
       asked == "pose" || asked == "position" || asked == "position_and_yaw" || has_pitch || has_inclination;
-  std::string text = replaced(arm_in_c, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
+  std::string text = arm.in_cxx ? arm_in_c : std::string(header_in_cxx) + arm_in_c;
+  text = replaced(text, "@ALONE@", arm.in_cxx ? "" : in_c_alone);
+  text = replaced(text, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
   text = replaced(text, "@PITCH@", has_pitch ? by_pitch_in_c : "");
   text = replaced(text, "@INCLINATION@", has_inclination ? by_inclination_in_c : "");
   text = replaced(text, "@OF@", whole ? "" : "_of_" + asked);
@@ -165,16 +184,17 @@ std::string registration_in_c(const Folder& folder, const std::string& name) {
   text = replaced(text, "@SUFFIX@", given);
   text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
   text = replaced(text, "@HEADER@", fs::path(folder.in_c(name)).replace_extension(".h").string());
+  text = replaced(text, "@DESCRIPTION@", folder.description(name).string());
   return replaced(text, "@NAME@", name);
 }
 
 /// A source in C for each arm, whether or not there is anything to compile.
-void write_sources_in_c(const Folder& folder, const std::string& family, std::uint32_t count) {
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const fs::path inverse = folder.in_c(arm_name(family, i));
-    std::ofstream file(folder.root / ("c_" + std::to_string(i) + ".c"));
-    std::ofstream model(folder.root / ("c_model_" + std::to_string(i) + ".c"));
-    const fs::path robot = inverse.parent_path() / ("qvgen_" + arm_name(family, i) + ".c");
+void write_sources_in_c(const Folder& folder, const std::vector<Arm>& arms) {
+  for (const Arm& arm : arms) {
+    const fs::path inverse = folder.in_c(arm.name);
+    std::ofstream file(folder.root / ("c_" + arm.name + ".c"));
+    std::ofstream model(folder.root / ("c_model_" + arm.name + ".c"));
+    const fs::path robot = inverse.parent_path() / ("qvgen_" + arm.name + ".c");
     file << (fs::exists(inverse) ? "#include \"" + inverse.string() + "\"\n" : "typedef int nothing;\n");
     model << (fs::exists(inverse) ? "#include \"" + robot.string() + "\"\n" : "typedef int nothing;\n");
   }
@@ -196,52 +216,82 @@ std::string registration(const Folder& folder, const std::string& name) {
   return replaced(text, "@REASONS@", solved ? "" : reasons(folder.header(name)));
 }
 
+std::ofstream numbered(const Folder& folder, const std::string& name, std::size_t number) {
+  return std::ofstream(folder.root / (name + std::to_string(number) + ".cpp"));
+}
+
 /// The lanes of several arms, a file of its own, for it is compiled for AVX2.
-void write_lanes(const Folder& folder, std::ofstream file, const std::string& family, std::uint32_t first,
-                 std::uint32_t end) {
-  for (std::uint32_t i = first; i < end; ++i) {
-    const fs::path lanes = folder.lanes(arm_name(family, i));
-    if (fs::exists(lanes)) file << "#include \"" << lanes.string() << "\"\n";
+void write_lanes(const Folder& folder, std::ofstream file, std::span<const Arm> arms) {
+  for (const Arm& arm : arms)
+    if (arm.in_cxx && fs::exists(folder.lanes(arm.name)))
+      file << "#include \"" << folder.lanes(arm.name).string() << "\"\n";
+}
+
+void write_registrations(const Folder& folder, std::ofstream& file, std::span<const Arm> arms) {
+  for (const Arm& arm : arms) {
+    if (arm.in_cxx) file << registration(folder, arm.name);
+    file << registration_in_c(folder, arm);
   }
+}
+
+void write_files(const Folder& folder, const std::vector<Arm>& arms, std::size_t in_a_file) {
+  for (std::size_t number = 0; number * in_a_file < arms.size(); ++number) {
+    const std::size_t first = number * in_a_file;
+    const std::span part = std::span(arms).subspan(first, std::min(in_a_file, arms.size() - first));
+    write_lanes(folder, numbered(folder, "lanes_", number), part);
+    std::ofstream file = numbered(folder, "arms_", number);
+    file << "#include \"robot_in_c.h\"\n#include \"rows_within.h\"\n#include \"unsolved.h\"\n";
+    if (first == 0)
+      file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 15) > 0; }\n"
+           << "std::size_t qvgen::test::written_arms() { return " << arms.size() << "; }\n";
+    write_registrations(folder, file, part);
+  }
+}
+
+/// True if a seed is among those of a list: "1,6", "all".
+bool is_among(const std::string& seeds, std::uint32_t seed) {
+  return seeds == "all" || ("," + seeds + ",").find("," + std::to_string(seed) + ",") != std::string::npos;
+}
+
+/// Writes the descriptions of a family's arms.
+std::vector<Arm> describe(const Folder& folder, const std::string& family, std::uint32_t count,
+                          const std::string& in_cxx) {
+  std::vector<Arm> arms;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    arms.push_back({arm_name(family, i), is_among(in_cxx, i)});
+    std::ofstream(folder.description(arms.back().name)) << qvgen::test::arm_description(family, i);
+  }
+  return arms;
+}
+
+/// Generates the arms in both languages; false if that fails, which it says.
+bool generate(const Folder& folder, const std::string& tool, const std::vector<Arm>& arms) {
+  std::string command = tool + " generate";
+  for (const Arm& arm : arms) command += " " + folder.description(arm.name).string();
+  command += " --only inverse --output " + (folder.root / "generated").string();
+  const std::string log = (folder.root / "log.txt").string() + " 2>&1";
+  if (std::system((command + " > " + log).c_str()) == 0 &&
+      std::system((command + " --language c >> " + log).c_str()) == 0)
+    return true;
+  std::cerr << std::ifstream(folder.root / "log.txt").rdbuf() << command << " failed\n";
+  return false;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
-  const std::string family = argv[2];
-  const Folder folder{argv[3]};
-  const auto count = static_cast<std::uint32_t>(std::atoi(argv[4]));
-  const auto in_a_file = static_cast<std::uint32_t>(std::atoi(argv[5]));
+  if (argc < 7 || argc % 3 != 1) return 2;
+  const Folder folder{argv[2]};
   fs::remove_all(folder.root);
   fs::create_directories(folder.root);
-  std::string command = std::string(argv[1]) + " generate";
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const fs::path description = folder.description(arm_name(family, i));
-    std::ofstream(description) << qvgen::test::arm_description(family, i);
-    command += " " + description.string();
-  }
-  command += " --only inverse --output " + (folder.root / "generated").string();
-  const std::string log = (folder.root / "log.txt").string() + " 2>&1";
-  if (std::system((command + " > " + log).c_str()) != 0 ||
-      std::system((command + " --language c >> " + log).c_str()) != 0) {
-    std::cerr << std::ifstream(folder.root / "log.txt").rdbuf() << command << " failed\n";
-    return 1;
-  }
-  for (std::uint32_t first = 0; first < count; first += in_a_file) {
-    const std::string number = std::to_string(first / in_a_file);
-    const std::uint32_t end = std::min(count, first + in_a_file);
-    write_lanes(folder, std::ofstream(folder.root / ("lanes_" + number + ".cpp")), family, first, end);
-    std::ofstream file(folder.root / ("arms_" + number + ".cpp"));
-    file << "#include \"robot_in_c.h\"\n#include \"rows_within.h\"\n#include \"unsolved.h\"\n";
-    if (first == 0)
-      file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 15) > 0; }\n";
-    if (first == 0) file << "std::size_t qvgen::test::written_arms() { return " << count << "; }\n";
-    for (std::uint32_t i = first; i < end; ++i) {
-      file << registration(folder, arm_name(family, i));
-      file << registration_in_c(folder, arm_name(family, i));
-    }
-  }
-  write_sources_in_c(folder, family, count);
+  std::vector<Arm> arms;
+  for (int i = 4; i < argc; i += 3)
+    for (Arm& arm :
+         describe(folder, argv[i], static_cast<std::uint32_t>(std::atoi(argv[i + 1])), argv[i + 2]))
+      arms.push_back(std::move(arm));
+  if (!generate(folder, argv[1], arms)) return 1;
+  for (Arm& arm : arms) arm.in_cxx = arm.in_cxx || !fs::exists(folder.in_c(arm.name));
+  write_files(folder, arms, static_cast<std::size_t>(std::atoi(argv[3])));
+  write_sources_in_c(folder, arms);
   return 0;
 }
