@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Laws of single configurations.
-#include <Eigen/Cholesky>
 
 #include "generated_dynamics.h"
 #include "lagrange.h"
@@ -61,7 +60,7 @@ TEST_P(GeneratedDynamics, MassMatrixIsTheReferenceSymmetricAndPositive) {
     const auto mass = robot().mass(q);
     expect_close(mass, reference::mass_matrix(chain_, q));
     EXPECT_EQ(mass, mass.transpose());
-    EXPECT_EQ((Eigen::LLT<MatrixXd>(mass).info()), Eigen::Success);
+    EXPECT_GT(reference::pivots(mass).minCoeff(), 0);
   }
 }
 

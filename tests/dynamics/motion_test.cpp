@@ -5,9 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "generated_dynamics.h"
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -26,8 +25,7 @@ double duration() {
 TEST_P(Motion, SymplecticFreeSwingKeepsItsEnergy) {
   const double g = gravity;
   const auto rates = [&](const VectorXd& y) -> VectorXd {
-    const auto mass = robot().mass(VectorXd(y.head(dof())));
-    return mass.llt().solve(y.tail(dof()));
+    return reference::solve_symmetric(robot().mass(VectorXd(y.head(dof()))), y.tail(dof()));
   };
   const auto slope = [&](const VectorXd& y) -> VectorXd {
     const VectorXd q = y.head(dof()), qd = rates(y);

@@ -68,7 +68,7 @@ struct QuadMotion {
     q_of_joints = trees::joined(base.q, joints);
     qd_of_joints = trees::joined(base.qd, rates);
     qdd_of_joints = trees::joined(base.qdd, accelerations);
-    back = base.by_rates(quad::dof).inverse();
+    back = reference::inverse(base.by_rates(quad::dof));
   }
   /// Forces of the reference's joints as those of the base and the robot's own joints.
   [[nodiscard]] Vector to_base(const Eigen::VectorXd& torque) const { return back.transpose() * torque; }

@@ -4,20 +4,22 @@
 #include <cstdlib>
 
 #include <qvgen/robots/crx10ia.h>
-#include <qvgen/robots/cs.h>
 #include <qvgen/robots/cuspidal.h>
-#include <qvgen/robots/general_6r.h>
 #include <qvgen/robots/irb6640.h>
 #include <qvgen/robots/jaco2.h>
+#include <qvgen/robots/stanford.h>
+#include <qvgen/robots/ur5.h>
+#ifdef QVGEN_ALL_ARMS
+#include <qvgen/robots/cs.h>
+#include <qvgen/robots/general_6r.h>
 #include <qvgen/robots/nn.h>
 #include <qvgen/robots/offset_wrist.h>
 #include <qvgen/robots/poe_6r.h>
 #include <qvgen/robots/puma560.h>
 #include <qvgen/robots/rr.h>
 #include <qvgen/robots/rx90.h>
-#include <qvgen/robots/stanford.h>
-#include <qvgen/robots/ur5.h>
 #include <qvgen/robots/xarm6.h>
+#endif
 
 namespace path_test {
 namespace {
@@ -47,17 +49,18 @@ const std::vector<NamedArm>& arms() {
   static const std::vector<NamedArm> all{
       QVGEN_PATH_ARM(irb6640),  QVGEN_PATH_ARM(ur5),        QVGEN_PATH_ARM(stanford),
       QVGEN_PATH_ARM(cuspidal), QVGEN_PATH_ARM(jaco2),      QVGEN_PATH_ARM(crx10ia),
+#ifdef QVGEN_ALL_ARMS
       QVGEN_PATH_ARM(puma560),  QVGEN_PATH_ARM(rx90),       QVGEN_PATH_ARM(xarm6),
       QVGEN_PATH_ARM(poe_6r),   QVGEN_PATH_ARM(nn),         QVGEN_PATH_ARM(rr),
-      QVGEN_PATH_ARM(cs),       QVGEN_PATH_ARM(general_6r), QVGEN_PATH_ARM(offset_wrist)};
+      QVGEN_PATH_ARM(cs),       QVGEN_PATH_ARM(general_6r), QVGEN_PATH_ARM(offset_wrist),
+#endif
+  };
   return all;
 }
 
 std::vector<std::string> names_of_arms() {
-  constexpr std::size_t usual = 6;  // one of each structure
   std::vector<std::string> names;
-  for (const NamedArm& each : arms())
-    if (names.size() < usual || std::getenv("QVGEN_PATHS") != nullptr) names.push_back(each.name);
+  for (const NamedArm& each : arms()) names.push_back(each.name);
   return names;
 }
 

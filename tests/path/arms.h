@@ -24,8 +24,8 @@ struct NamedArm {
   std::string name;
   AnyArm arm;
 };
+/// One of each structure; fifteen in builds for long runs.
 const std::vector<NamedArm>& arms();
-/// Returns the names of those to test: one of each structure, in long runs all fifteen.
 std::vector<std::string> names_of_arms();
 const NamedArm& arm_called(const std::string& name);
 

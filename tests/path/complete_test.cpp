@@ -7,6 +7,7 @@
 #include <qvgen/robots/cuspidal/certified.h>
 
 #include "arms.h"
+#include "reference/linear_algebra.h"
 
 namespace path_test {
 namespace {
@@ -48,8 +49,7 @@ double regularity_at(const Curve& curve, double s) {
   double least = 1;
   const auto found = cuspidal().solve(curve.at(s));
   for (const auto& row : found) {
-    const Eigen::MatrixXd jacobian = cuspidal().jacobian(row.q);
-    least = std::min(least, Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues()[5]);
+    least = std::min(least, reference::smallest_singular_value(cuspidal().jacobian(row.q)));
   }
   return found.empty() ? 0 : least;
 }
@@ -163,9 +163,7 @@ double change_between(const Curve& curve, double from, double to) {
 /// singular, and a little to a side.
 std::vector<Pose<double>> way_past(const End& meeting, std::mt19937& random, double side) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(cuspidal().jacobian(meeting.q)),
-                                              Eigen::ComputeFullU);
-  const Rate normal = svd.matrixU().col(5);
+  const Rate normal = reference::singular_values(cuspidal().jacobian(meeting.q)).u.col(5);
   Rate along;
   for (int i = 0; i < 6; ++i) along[i] = unit(random);
   along -= normal * normal.dot(along);

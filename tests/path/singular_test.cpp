@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "arms.h"
+#include "reference/linear_algebra.h"
 
 namespace path_test {
 namespace {
@@ -127,9 +128,9 @@ TEST(SingularPath, ACuspidalArmChangesPostureWithoutASingularity) {
     for (const auto& row : arm.solve(arm.forward(from))) {
       const Values way = difference(row.q, from, arm.revolute), to = from + way;
       bool regular = way.head<3>().norm() > 0.5;
-      const bool sign = arm.jacobian(from).determinant() > 0;
+      const bool sign = reference::determinant(arm.jacobian(from)) > 0;
       for (int k = 0; k <= 60 && regular; ++k) {
-        const double determinant = arm.jacobian(from + way * k / 60).determinant();
+        const double determinant = reference::determinant(arm.jacobian(from + way * k / 60));
         regular = (determinant > 0) == sign && std::abs(determinant) > 1e-3;
       }
       if (!regular) continue;
