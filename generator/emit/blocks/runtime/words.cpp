@@ -15,7 +15,8 @@ using Kind = Token::Kind;
 
 /// Definitions that C has its own words for.
 bool is_in_other_words(const std::string& name) {
-  static const std::set<std::string> all{"ScalarTraits", "epsilon", "not_a_number", "select", "any", "leaves_singular_poses"};
+  static const std::set<std::string> all{"ScalarTraits", "epsilon", "not_a_number",
+                                         "select",       "any",     "leaves_singular_poses"};
   return all.count(name) > 0;
 }
 
