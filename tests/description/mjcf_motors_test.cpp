@@ -145,9 +145,8 @@ TEST(MjcfMotors, KeepsTheLengthsOfRandomTendons) {
 TEST(MjcfMotors, JointsThatMotorsDoNotTellApartAreTold) {
   const std::string told =
       "7:11: warning: the motor of the tendon 't0' moves 'j1', 'j2', which motors do not tell apart: each "
-      "has a value of its own; its force acts by the tendon's 'coef'; what ties the joints by <equality>, or "
-      "a "
-      "motor for each, would tell them apart\n";
+      "has a value of its own; its force acts by the tendon's 'coef'; what ties the joints by <equality>, "
+      "or a motor for each, would tell them apart\n";
   EXPECT_EQ(report(chain(tendons(tendon("t0", sum)) + actuators({"t0"}))), told);
   // More motors than joints, and motors that pull alike.
   for (const Coefficients& other : {sum, Coefficients{0, -2, -2}})

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/two_hands/dynamics.h>
+#include <qvgen/robots/two_hands/regressor_with_drives.h>
 #include <qvgen/robots/two_hands/tips.h>
 
 #include "reference/dynamics.h"
@@ -70,6 +71,53 @@ TEST_F(SharedMotors, HaveTheReferencesForces) {
     const reference::VectorXd expected = reference::inverse_dynamics(chain_, q, qd, qdd);
     EXPECT_TRUE(robot::inverse_dynamics<double>(q, qd, qdd, {}, {}, 9.81).isApprox(expected, 1e-12));
     EXPECT_TRUE(robot::mass_matrix<double>(q).isApprox(reference::mass_matrix(chain_, q), 1e-12));
+  }
+}
+
+/// Ten standard parameters of each link.
+robot::StandardParameters<double> standard_parameters(const reference::Chain& chain) {
+  robot::StandardParameters<double> standard;
+  Eigen::Index at = 0;
+  for (const reference::Joint& link : chain.joints) {
+    const Eigen::Vector3d& c = link.centre_of_mass;
+    const Eigen::Matrix3d inertia =
+        link.inertia + link.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+    standard.segment<10>(at) << link.mass, link.mass * c, inertia(0, 0), inertia(1, 1), inertia(2, 2),
+        inertia(0, 1), inertia(1, 2), inertia(0, 2);
+    at += 10;
+  }
+  return standard;
+}
+
+/// Drives of joints, then of motors, act at the rates of each.
+TEST_F(SharedMotors, HaveARegressorWithTheirDrives) {
+  const reference::MatrixXd coupling = chain_.coupling();
+  reference::MatrixXd rates_of_drives(coupling.rows() + 3, coupling.cols());
+  const std::vector<std::string> driven = chain_.driven();
+  rates_of_drives.topRows(coupling.rows()) = coupling;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto place = std::find(driven.begin(), driven.end(), chain_.motors[i].variable) - driven.begin();
+    rates_of_drives.row(coupling.rows() + static_cast<Eigen::Index>(i)).setUnit(place);
+  }
+  reference::Chain links = chain_;
+  for (reference::Joint& joint : links.joints) joint.viscous_friction = 0;
+  for (reference::Motor& motor : links.motors)
+    motor.rotor_inertia = motor.viscous_friction = motor.coulomb_friction = 0;
+  for (int k = 0; k < 50; ++k) {
+    const Motors q = random_motors(), qd = random_motors(), qdd = random_motors();
+    const robot::DriveParameters<double> drives = robot::DriveParameters<double>::Random();
+    reference::VectorXd expected = reference::inverse_dynamics(links, q, qd, qdd);
+    for (Eigen::Index i = 0; i < rates_of_drives.rows(); ++i) {
+      const Eigen::VectorXd row = rates_of_drives.row(i);
+      const double rate = row.dot(qd), sign = rate < 0 ? -1 : 1;
+      const bool has_several = (row.array() != 0).count() > 1;
+      const Eigen::Vector4d motion(row.dot(qdd), rate, has_several ? 0 : sign, 1);
+      expected += row * drives.segment<4>(4 * i).dot(motion);
+    }
+    const auto parameters =
+        robot::identifiable_parameters<double>(standard_parameters(chain_), drives, {}, 9.81);
+    const Motors found = robot::regressor_with_drives<double>(q, qd, qdd, {}, {}, 9.81) * parameters;
+    EXPECT_LE((found - expected).norm(), 1e-11 * (1 + expected.norm()));
   }
 }
 

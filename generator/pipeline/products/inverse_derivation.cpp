@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "derive/inverse/freedom.h"
 #include "model/followers.h"
 #include "model/private_names.h"
 #include "pipeline/products/brief_reasons.h"
@@ -11,7 +12,18 @@
 namespace qvgen::pipeline {
 namespace {
 
-void add_closed_forms(const model::Robot& described, InverseDerivation& result) {
+/// True if some of six joints that shall reach a pose can always move without moving the tool: then no solver
+/// can serve.
+bool is_singular_everywhere(const model::Robot& robot) {
+  using namespace derive::inverse;
+  const model::InverseRequest& request = robot.inverse;
+  if (robot.joints.size() != 6 || request.task.value_or(model::Task::pose) != model::Task::pose) return false;
+  const Problem problem = problem_of(robot, model::Task::pose);
+  return !dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false).empty();
+}
+
+/// Returns false if nothing else can serve either, which the reasons say then.
+bool add_closed_forms(const model::Robot& described, InverseDerivation& result) {
   const model::Robot robot = model::with_private_names(described);
   std::vector<derive::inverse::Derivation> all{derive::inverse::derive(robot)};
   for (auto& derivation : derive::inverse::derive_given(robot)) all.push_back(std::move(derivation));
@@ -19,6 +31,7 @@ void add_closed_forms(const model::Robot& described, InverseDerivation& result) 
     if (derivation.found) result.closed_forms.push_back(derivation);
     result.reasons.insert(result.reasons.end(), derivation.reasons.begin(), derivation.reasons.end());
   }
+  return result.found() || !is_singular_everywhere(robot);
 }
 
 void add_eliminations(const model::Robot& described, InverseDerivation& result) {
@@ -69,8 +82,8 @@ InverseDerivation derive_without_outer_joints(const model::Robot& robot) {
   }
   const bool has_no_structure = derive::inverse::lacks_structure(described);
   if (has_no_structure) add_eliminations(described, result);
-  if (!result.found()) add_closed_forms(described, result);
-  if (!result.found() && !has_no_structure) add_eliminations(described, result);
+  const bool may_have_others = result.found() || add_closed_forms(described, result);
+  if (!result.found() && !has_no_structure && may_have_others) add_eliminations(described, result);
   if (has_faint_quartic(described, result)) replace_by_eliminations(described, result);
   leave_out_coupled(robot, result.closed_forms, result.reasons);
   leave_out_coupled(robot, result.eliminations, result.reasons);
