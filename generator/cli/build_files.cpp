@@ -72,6 +72,24 @@ std::string fingerprint(const fs::path& output, const std::vector<std::string>& 
   return fmt::format("{:016x}", all);
 }
 
+/// Names of all sources in C with the generated files that they include, empty for limbs that are not there.
+std::vector<std::pair<std::string, std::string>> c_sources(const std::vector<std::string>& robots) {
+  std::vector<std::pair<std::string, std::string>> list;
+  const auto add = [&](const std::string& name, std::size_t robot, const std::string& part) {
+    const bool is_there = robot < robots.size();
+    list.emplace_back(name + ".c",
+                      is_there ? "qvgen_" + fs::path(robots[robot]).filename().string() + part + ".c" : "");
+  };
+  add("robot", 0, "");
+  for (const std::string part : {"inverse", "metrics", "velocity", "loops"}) add(part, 0, "_" + part);
+  for (std::size_t i = 1; i <= most_limbs_in_c; ++i) {
+    const std::string limb = "limb_" + std::to_string(i);
+    add(limb, i, "");
+    for (const std::string part : {"inverse", "metrics", "velocity"}) add(limb + "_" + part, i, "_" + part);
+  }
+  return list;
+}
+
 /// Sources whose names, and being there, a build knows before anything is generated. They differ whenever a
 /// file of the robot does: a build system that has read what they include one build ago compiles them again.
 /// Limbs of a robot that branches are in the sources of the whole robot, the first one, but in C.
@@ -79,7 +97,7 @@ void write_sources(const GenerateArguments& arguments, const std::vector<std::st
   const std::string& robot = robots.front();
   const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
   const std::string mark = "// Code " + fingerprint(output, robots) + "\n";
-  const auto include = [&](const fs::path& generated) {
+  const auto include = [&](const fs::path& generated) -> std::string {
     const std::string path = generated.lexically_relative(folder).generic_string();
     return fs::exists(generated) ? "#include \"" + path + "\"\n" : "";
   };
@@ -88,19 +106,8 @@ void write_sources(const GenerateArguments& arguments, const std::vector<std::st
     write(folder / name, mark + (code.empty() ? "struct qvgen_has_none;\n" : code));
   };
   if (comes_from_c(arguments.language)) {
-    const auto code_of = [&](std::size_t i, const std::string& part) {
-      if (i >= robots.size()) return std::string();
-      return include(output / "c" / ("qvgen_" + fs::path(robots[i]).filename().string() + part + ".c"));
-    };
-    write_code("robot.c", code_of(0, ""));
-    for (const std::string part : {"inverse", "metrics", "velocity", "loops"})
-      write_code(part + ".c", code_of(0, "_" + part));
-    for (std::size_t i = 1; i <= most_limbs_in_c; ++i) {
-      const std::string limb = "limb_" + std::to_string(i);
-      write_code(limb + ".c", code_of(i, ""));
-      for (const std::string part : {"inverse", "metrics", "velocity"})
-        write_code(limb + "_" + part + ".c", code_of(i, "_" + part));
-    }
+    for (const auto& [name, generated] : c_sources(robots))
+      write_code(name, generated.empty() ? "" : include(output / "c" / generated));
     return;
   }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";

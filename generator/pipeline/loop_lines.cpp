@@ -31,16 +31,18 @@ std::vector<std::string> gear_lines(const model::Mechanism& mechanism,
   return lines;
 }
 
-/// The line of a platform on six rods from their lengths; empty for what is none, or cannot be counted.
-std::string line_of_places(const model::Mechanism& mechanism, const LoopVariant& variant) {
-  if (variant.function != "assemble") return "";
+/// The line of a way without a closed form: a platform on six rods has another.
+std::string line_without_plan(const model::Mechanism& mechanism, const LoopVariant& variant,
+                              const std::vector<std::string>& reasons) {
+  const std::string from = names_of(mechanism, variant.given);
+  std::string reason = fmt::format("{}", fmt::join(reasons, "; "));
   try {
-    const std::string places = text_of_places(mechanism);
-    if (places.empty()) return "";
-    return fmt::format("assemble from {}, in C++: {}", names_of(mechanism, variant.given), places);
-  } catch (const std::domain_error&) {
-    return "";
+    const std::string places = variant.function == "assemble" ? text_of_places(mechanism) : "";
+    if (!places.empty()) return fmt::format("assemble from {}, in C++: {}", from, places);
+  } catch (const std::domain_error& error) {
+    reason += "; " + std::string(error.what());
   }
+  return fmt::format("no {} from {}: {}", variant.function, from, reason);
 }
 
 /// `only_found`: a plan that is not found is not mentioned.
@@ -50,10 +52,7 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
   const std::string from = names_of(mechanism, variant.given);
   if (!assembly.found && only_found) return;
   if (!assembly.found) {
-    if (const std::string places = line_of_places(mechanism, variant); !places.empty())
-      return to.lines.push_back(places);
-    to.lines.push_back(
-        fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
+    to.lines.push_back(line_without_plan(mechanism, variant, assembly.reasons));
     return;
   }
   to.lines.push_back(

@@ -15,6 +15,7 @@
 #include "verify/certificate.h"
 #include "verify/loops/certify_loops.h"
 #include "verify/loops/mobility.h"
+#include "verify/loops/six_rods.h"
 
 namespace qvgen::test::loops_derivation {
 namespace {
@@ -73,6 +74,17 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/hexapod")).free, 6);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/stewart")).free, 6);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/three_rps")).free, 3);
+}
+
+TEST(SixRodsOf, KnowsThePlatformWithItsEndsAsTheTipSeesThem) {
+  const auto platform = verify::six_rods_of(mechanism_of_file("../platforms/stewart"));
+  ASSERT_TRUE(platform);
+  EXPECT_EQ(platform->lengths, (std::vector<std::size_t>{6, 7, 8, 9, 10, 11}));
+  EXPECT_EQ(platform->ends.base[1], (std::array<double, 3>{-0.1, 0.41, 0}));
+  EXPECT_NEAR(platform->ends.platform[1][1], 0.22, 1e-15);
+  EXPECT_NEAR(platform->ends.platform[1][2], -0.07, 1e-15);
+  for (const char* other : {"../platforms/hexapod", "../platforms/three_rps", "delta", "four_bar"})
+    EXPECT_FALSE(verify::six_rods_of(mechanism_of_file(other))) << other;
 }
 
 TEST(Mobility, SaysHowManyAreFreeAndDriven) {

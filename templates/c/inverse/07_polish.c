@@ -19,8 +19,8 @@ static Steps least_squares_of(const Matching* task, const Reached* at, const dou
   a.rows = damped ? rows + a.count : rows;
   memcpy(b, off, (size_t)rows * sizeof(double));
   memset(a.of, 0, sizeof a.of);
-  for (int i = 0; i < a.count; ++i) {
-    if (held->is[i]) continue;
+  for (int i = 0; i < most_joints; ++i) {  // GCC 12 does not see that count is no more
+    if (i >= a.count || held->is[i]) continue;
     memcpy(a.of[i], at->jacobian[i], (size_t)rows * sizeof(double));
     if (damped) a.of[i][rows + i] = lambda;
   }

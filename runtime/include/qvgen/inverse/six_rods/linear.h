@@ -8,6 +8,7 @@
 
 namespace qvgen::inverse::six_rods {
 
+/// Factors of a matrix, for any number of right sides.
 class Factors {
  public:
   using Matrix = std::array<Values, equation_count>;

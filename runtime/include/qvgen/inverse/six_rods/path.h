@@ -32,6 +32,7 @@ inline Point full(const Patch& patch, const Values& step) {
   return {-(sum * reciprocal(patch[0])), step[0], step[1], step[2], step[3], step[4], step[5], step[6]};
 }
 
+/// How carefully a path is followed.
 struct Pace {
   double error = 1e-5;  ///< of a series at the end of a step, before Newton's steps
   int steps = 300;      ///< at most, taken or tried
