@@ -3,12 +3,12 @@
 // repetitions, nothing found in an arm that is exact, outliers by their lines.
 #include <chrono>
 
-#include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "calibrate/result.h"
 #include "description/write.h"
+#include "reference/linear_algebra.h"
 #include "simulate.h"
 
 namespace calibrate_test {
@@ -29,11 +29,10 @@ MatrixXd bound_of(const Scene& scene, const DataSet& set) {
     if (information.size() == 0) information = MatrixXd::Zero(rows.cols(), rows.cols());
     information += rows.transpose() * rows;
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
-  const double most = solver.eigenvalues().maxCoeff();
+  const reference::SingularValues parts = reference::singular_values(information);
   const VectorXd inverse =
-      solver.eigenvalues().unaryExpr([&](double value) { return value > 1e-11 * most ? 1 / value : 0; });
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+      parts.values.unaryExpr([&](double value) { return value > 1e-11 * parts.values[0] ? 1 / value : 0; });
+  return reference::product(parts.v * inverse.asDiagonal(), parts.u.transpose());
 }
 
 struct HoldOut {

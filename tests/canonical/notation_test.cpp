@@ -68,6 +68,7 @@ TEST(Notation, IsNoConcernOfArmsWithObliqueAxes) {
 class Counts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Counts, AreEqual) {
+  if (test::is_left_to_long_runs(GetParam())) GTEST_SKIP() << "long runs have it";
   const std::string file = std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + GetParam() + ".toml";
   const description::ReadResult described = description::read_file(file);
   ASSERT_TRUE(described.robot);

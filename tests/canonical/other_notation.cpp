@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "other_notation.h"
 
+#include <cstdlib>
 #include <fstream>
 
 #include "model/arithmetic.h"
@@ -157,6 +158,10 @@ model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random
 nlohmann::json committed_counts(const std::string& robot) {
   std::ifstream file(QVGEN_SOURCE_DIR "/generated/operation_counts.json");
   return nlohmann::json::parse(file).at(robot);
+}
+
+bool is_left_to_long_runs(const std::string& robot) {
+  return robot == "irb6640" && std::getenv("QVGEN_ARMS") == nullptr;
 }
 
 }  // namespace qvgen::test

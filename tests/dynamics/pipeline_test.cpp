@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -68,11 +69,17 @@ std::vector<DynamicsQuantity> all_quantities() {
 
 /// The certificate in generate_dynamics holds every function against the plain recursion, so this throws if
 /// any frame, convention or formulation is wrong for some arrangement of joints.
+/// Of three joints each arrangement has axes of one kind; in long runs it has both.
 TEST(Dynamics, RandomRobotsPassTheirCertificates) {
+  const bool has_both = std::getenv("QVGEN_TREES") != nullptr;
+  const std::vector<std::string> arrangements{"R",   "P",   "PR",  "RP",  "RR",  "PRR",
+                                              "RPR", "RRP", "PPR", "RRR", "RPP", "PRP"};
   std::uint64_t seed = 0;
-  for (const Axes& axes : {coordinate_axes, oblique_axes})
-    for (const char* kinds : {"R", "P", "PR", "RP", "RR", "PRR", "RPR", "RRP", "PPR", "RRR", "RPP", "PRP"}) {
-      const std::string text = random_robot(++seed, kinds, axes);
+  for (const bool oblique : {false, true})
+    for (std::size_t k = 0; k < arrangements.size(); ++k) {
+      ++seed;
+      if (arrangements[k].size() == 3 && (k % 2 == 1) != oblique && !has_both) continue;
+      const std::string text = random_robot(seed, arrangements[k], oblique ? oblique_axes : coordinate_axes);
       const DynamicsModel model = model_of(text);
       for (const DynamicsQuantity& quantity : all_quantities())
         EXPECT_NO_THROW(generate_dynamics(model, quantity, little)) << quantity.name << "\n" << text;

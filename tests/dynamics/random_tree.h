@@ -28,12 +28,17 @@ using derive::dynamics::Formulation;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Seeds of one of the four parts of a test of random trees, `part` being 1, 51, 101 or 151: fifty, or a
-/// quarter of the variable QVGEN_TREES.
+/// How many random trees a law has: 64, or the variable QVGEN_TREES.
+inline unsigned tree_count() {
+  const char* trees = std::getenv("QVGEN_TREES");
+  return trees == nullptr ? 64 : static_cast<unsigned>(std::atoi(trees));
+}
+
+/// Seeds of one of the four parts of a test of random trees, `part` being 1, 51, 101 or 151: a quarter of
+/// them.
 struct Seeds {
   explicit Seeds(unsigned part) {
-    const char* trees = std::getenv("QVGEN_TREES");
-    const unsigned each = trees == nullptr ? 50 : static_cast<unsigned>(std::atoi(trees)) / 4;
+    const unsigned each = tree_count() / 4;
     first = part / 50 * each + 1;
     end = first + each;
   }

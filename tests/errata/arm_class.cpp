@@ -6,8 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
+#include "reference/linear_algebra.h"
 #include "reference/load.h"
 
 namespace qvgen::test::sources {
@@ -25,9 +26,7 @@ using Axes = Eigen::Matrix<double, 3, 3 * states>;
 
 int directions_of(const Axes& axes) {
   if (axes.isZero()) return 0;
-  Eigen::FullPivLU<Axes> span(axes);
-  span.setThreshold(1e-6);
-  return static_cast<int>(span.rank());
+  return static_cast<int>(reference::rank(axes, 1e-6));
 }
 
 Eigen::VectorXd random_joints(std::size_t size) {

@@ -8,7 +8,8 @@
 #include <stdexcept>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
+
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test::sources {
 namespace {
@@ -122,13 +123,13 @@ Value power(const Value& base, double exponent) {
   const bool inverted = exponent == -1;
   if (inverted && base.index() == 2) return inverse(std::get<Quaternion>(base));
   if (inverted && base.index() == 3) return inverse(std::get<Pair>(base));
-  if (inverted && base.index() == 4) return MatrixXd(square(base).inverse());
+  if (inverted && base.index() == 4) return MatrixXd(reference::inverse(square(base)));
   return std::pow(real(base), exponent);
 }
 
 Value function(const std::string& name, const std::vector<Value>& x) {
   if (name == "transpose") return transposed(x.at(0));
-  if (name == "det") return square(x.at(0)).determinant();
+  if (name == "det") return reference::determinant(square(x.at(0)));
   if (name == "norm") return norm(x.at(0));
   const double first = real(x.at(0));
   // A root that is zero by identity must not fail over its rounding.

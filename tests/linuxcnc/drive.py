@@ -141,7 +141,7 @@ def without_a_tool():
     coordinates = poll()[1]
     joints_lead_to(coordinates, 0, "home")
     do("mode", command.mode, linuxcnc.MODE_MDI)
-    return moves(coordinates, 0, "without a tool", 6)
+    return moves(coordinates, 0, "without a tool", 3)
 
 
 def with_a_tool_that_stays():
@@ -155,7 +155,7 @@ def with_a_tool_that_stays():
     expect(abs(coordinates[2] - before[2] + 70) < 1e-4, "the tip stays when the tool's length is switched")
     joints_lead_to(coordinates, 70, "a longer tool")
     do("mode", command.mode, linuxcnc.MODE_MDI)
-    return moves(coordinates, 70, "a longer tool", 3)
+    return moves(coordinates, 70, "a longer tool", 2)
 
 
 def with_a_tool_of_the_table():
@@ -166,7 +166,7 @@ def with_a_tool_of_the_table():
     time.sleep(0.2)
     expect(distance(poll()[0], joints) < 1e-4, "joints move at G43, though the tool points downwards")
     coordinates[2] -= 50
-    return moves(coordinates, 120, "a tool of the table", 3)
+    return moves(coordinates, 120, "a tool of the table", 2)
 
 
 def main():

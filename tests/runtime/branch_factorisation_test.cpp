@@ -37,18 +37,20 @@ struct RandomTree {
   }
 };
 
-/// Calls f with one robot of each kind, often.
+/// Calls f with one robot of each kind, often: each scalar, columns that fill registers and others.
 template <class F>
 void for_random_trees(const F& f) {
   for (int k = 0; k < 20; ++k) {
     f(RandomTree<double, Quadruped>());
-    f(RandomTree<float, Quadruped>());
     f(RandomTree<long double, Fork>());
-    f(RandomTree<double, Fork>());
     f(RandomTree<float, TwoArms>());
     f(RandomTree<double, Chain<1>>());
-    f(RandomTree<double, Chain<7>>());
     f(RandomTree<double, Chain<8>>());
+#ifdef QVGEN_ALL_TREES
+    f(RandomTree<float, Quadruped>());
+    f(RandomTree<double, Fork>());
+    f(RandomTree<double, Chain<7>>());
+#endif
   }
 }
 

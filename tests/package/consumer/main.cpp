@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
-#include <qvgen/robots/puma560.h>
+#include <qvgen/robots/rrp.h>
 
 #include "parts.h"
 
 namespace {
 
 bool robots_work() {
-  namespace arm = qvgen::robots::puma560;
+  namespace arm = qvgen::robots::rrp;
   const arm::JointVector<double> q = arm::JointVector<double>::Constant(0.3);
   const qvgen::Pose<double> tool = arm::forward_kinematics(q);
-  std::printf("puma560 at 0.3: %.6f %.6f %.6f\n", tool.position.x(), tool.position.y(), tool.position.z());
+  std::printf("rrp at 0.3: %.6f %.6f %.6f\n", tool.position.x(), tool.position.y(), tool.position.z());
   return is_valid(tool);
 }
 
