@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "left_out.h"
 #include "pose_sets.h"
 #include "robot_in_c.h"
 
@@ -321,14 +322,23 @@ TEST_P(SameRows, OtherConstants) {
   report("constants", 0);
 }
 
+bool is_in_cxx_alone(const InverseUnderTest& arm) {
+  return !arm.info.by_elimination && !inverses_in_c().contains(arm.name);
+}
+
 std::vector<InverseUnderTest> in_both_languages() {
   std::vector<InverseUnderTest> arms;
-  std::copy_if(inverses().begin(), inverses().end(), std::back_inserter(arms),
-               [](const InverseUnderTest& arm) { return !in_c_alone().contains(arm.name); });
+  std::copy_if(
+      inverses().begin(), inverses().end(), std::back_inserter(arms),
+      [](const InverseUnderTest& arm) { return !in_c_alone().contains(arm.name) && !is_in_cxx_alone(arm); });
   return arms;
 }
 INSTANTIATE_TEST_SUITE_P(Robots, SameRows, testing::ValuesIn(in_both_languages()),
                          [](const auto& robot) { return robot.param.name; });
+
+TEST(RobotsInC, NoOthersAreLeftOut) {
+  EXPECT_EQ(std::count_if(inverses().begin(), inverses().end(), is_in_cxx_alone), left_out_of_c());
+}
 
 }  // namespace
 }  // namespace qvgen::test

@@ -2,6 +2,7 @@
 // Arms of six joints that are asked for a position and a direction, one joint given, generated and compiled:
 // every solution.
 #include "directed_arms.h"
+#include "reference/linear_algebra.h"
 #include "written_arm.h"
 
 namespace qvgen::test {
@@ -24,9 +25,10 @@ class GivenDirection : public WrittenArm {
         beside[i] += small;
         slope.col(i) = (off(beside) - off(q)) / small;
       }
-      // The third singular value is noise.
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-      q -= decomposition.setThreshold(1e-4).compute(slope).solve(off(q));
+      const auto parts = reference::singular_values(slope);
+      const Eigen::VectorXd along = parts.u.transpose() * off(q);
+      for (int i = 0; i < 2; ++i)  // the third singular value is noise
+        if (parts.values[i] > 1e-4 * parts.values[0]) q -= along[i] / parts.values[i] * parts.v.col(i);
     }
     if (off(q).norm() > 1e-12) return std::nullopt;
     return q;
