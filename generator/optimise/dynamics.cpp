@@ -220,8 +220,13 @@ Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& 
   const Formulation formulation = quantity.formulate(robot, choices);
   OptimiseOptions options = final_search(effort);
   options.search.restarts = 2;
-  if (model::coordinate_count(robot) > most_coordinates_with_long_search) options = short_search(options);
-  Optimised result = optimise(quantity_of(model, quantity.name, formulation, residuals), options);
+  const bool is_large = model::coordinate_count(robot) > most_coordinates_with_long_search;
+  if (is_large) options = short_search(options);
+  Quantity competing = quantity_of(model, quantity.name, formulation, residuals);
+  if (is_large && quantity.of_large_robots)
+    if (const auto other = quantity.of_large_robots(robot, choices))
+      competing.forms.push_back({"", other->function});
+  Optimised result = optimise(competing, options);
   result.choices = choices;
   return result;
 }

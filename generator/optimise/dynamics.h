@@ -28,6 +28,10 @@ struct DynamicsQuantity {
   bool has_wrenches = false;
   /// An earlier quantity whose best choices serve this one as well, so that none are tried; or nothing.
   std::string choices_of = {};
+  /// Another way that large robots may take as well, under the same choices; nothing where it does not serve.
+  std::function<std::optional<derive::dynamics::Formulation>(const model::Robot&,
+                                                             const derive::dynamics::FormulationOptions&)>
+      of_large_robots = {};
 };
 
 /// All quantities, in the order of the generated header.

@@ -129,7 +129,12 @@ const std::vector<DynamicsQuantity>& dynamics_quantities() {
       torque("coriolis_torque", Effects::velocity),
       {"mass_matrix", derive::dynamics::mass_matrix, mass_matrix_residuals, false},
       {"coriolis_matrix", derive::dynamics::coriolis_matrix, coriolis_matrix_residuals, false, "mass_matrix"},
-      {"forward_dynamics", derive::dynamics::forward_dynamics, forward_residuals, true},
+      {"forward_dynamics",
+       derive::dynamics::forward_dynamics,
+       forward_residuals,
+       true,
+       {},
+       derive::dynamics::forward_dynamics_by_articulated_bodies},
       {"kinetic_energy", derive::dynamics::kinetic_energy, kinetic_residuals, false, "mass_matrix"},
       {"potential_energy", derive::dynamics::potential_energy, potential_residuals, false},
   };

@@ -21,6 +21,8 @@ struct Wrench {
 
 inline Wrench operator+(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.moment + b.moment}; }
 
+inline Scalar dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 /// U from the rotation rate, its axis column (U13, U23) and the rate of change of w_z. What of it is not w'
 /// shows how w' is got back: w'_y = U13 - w_x w_z, w'_x = w_y w_z - U23.
 Matrix3 u_matrix(const Vector3& w, const Scalar& u13, const Scalar& u23, const Scalar& wz_rate,

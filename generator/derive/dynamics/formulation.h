@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -77,6 +78,11 @@ Formulation inverse_dynamics_derivatives(const model::Robot& robot, const Formul
 
 /// Outputs qdd1 ...: M^-1 (force - bias), by M = U D U^T from the last joint inward, without a square root.
 Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices);
+
+/// Outputs qdd1 ..., without a mass matrix; nothing for joints that follow others, a wrench on the tool or a
+/// unit of length.
+std::optional<Formulation> forward_dynamics_by_articulated_bodies(const model::Robot& robot,
+                                                                  const FormulationOptions& choices);
 
 /// Output "energy": q' M q' / 2.
 Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& choices);

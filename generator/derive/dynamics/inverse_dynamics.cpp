@@ -59,8 +59,9 @@ Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions
   return in_rates_of_leaders(robot, std::move(result));
 }
 
-NewtonEuler newton_euler(const model::Robot& robot, const FormulationOptions& choices, Formulation& out) {
-  return recursion(robot, choices, Effects::all, out);
+NewtonEuler newton_euler(const model::Robot& robot, const FormulationOptions& choices, Formulation& out,
+                         Effects effects) {
+  return recursion(robot, choices, effects, out);
 }
 
 }  // namespace qvgen::derive::dynamics

@@ -29,8 +29,6 @@ Vector3 turned(std::size_t k, const Vector3& v) {
 
 Vector3 unit_rate(std::size_t k, const Vector3& w) { return -turned(k, w); }  ///< w x e_k
 
-Scalar dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 Vector3 doubled(const Vector3& v) { return v + v; }
 
 Column column_of(const Way& way, const Wrench& wrench) {

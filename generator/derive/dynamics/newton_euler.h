@@ -18,6 +18,7 @@ struct NewtonEuler {
 
 /// Appends the outputs of `inverse_dynamics` to the function, in rates of all joints: those of followers are
 /// not yet written in terms of their leaders'.
-NewtonEuler newton_euler(const model::Robot& robot, const FormulationOptions& choices, Formulation& out);
+NewtonEuler newton_euler(const model::Robot& robot, const FormulationOptions& choices, Formulation& out,
+                         Effects effects = Effects::all);
 
 }  // namespace qvgen::derive::dynamics

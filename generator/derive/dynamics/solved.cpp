@@ -5,6 +5,7 @@
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "derive/dynamics/formulation.h"
+#include "derive/dynamics/linear_equations.h"
 #include "derive/dynamics/suggestions.h"
 #include "exact/point.h"
 #include "model/coordinates.h"
@@ -34,37 +35,12 @@ void keep_suggestions(const std::map<std::string, Scalar>& values, Suggestions& 
     if (name.front() == '?') suggest({value});
 }
 
-using Matrix = std::vector<std::vector<Scalar>>;
-
-Matrix matrix_of(const std::map<std::string, Scalar>& values, std::size_t n) {
-  Matrix m(n, std::vector<Scalar>(n));
+SquareMatrix matrix_of(const std::map<std::string, Scalar>& values, std::size_t n) {
+  SquareMatrix m(n, std::vector<Scalar>(n));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = i; k < n; ++k)
       m[i][k] = m[k][i] = values.at("m" + std::to_string(i + 1) + "_" + std::to_string(k + 1));
   return m;
-}
-
-/// x with m x = b for a symmetric m, eliminated from the last unknown to the first; zeros of m cost nothing.
-std::vector<Scalar> solved(Matrix m, std::vector<Scalar> b, const Scalar& one) {
-  const std::size_t n = b.size();
-  Matrix lower(n, std::vector<Scalar>(n));
-  std::vector<Scalar> inverse(n);
-  for (std::size_t k = n; k-- > 0;) {
-    if (m[k][k].is_zero())
-      throw MasslessLink("joint " + std::to_string(k + 1) + " moves no mass: the mass matrix has no inverse");
-    inverse[k] = one / m[k][k];
-    for (std::size_t i = 0; i < k; ++i) {
-      lower[i][k] = m[i][k] * inverse[k];
-      b[i] = b[i] - lower[i][k] * b[k];
-      for (std::size_t j = 0; j <= i; ++j) m[i][j] = m[j][i] = m[i][j] - lower[i][k] * m[j][k];
-    }
-  }
-  std::vector<Scalar> x(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    x[k] = b[k] * inverse[k];
-    for (std::size_t i = 0; i < k; ++i) x[k] = x[k] - lower[i][k] * x[i];
-  }
-  return x;
 }
 
 /// A random point in numbers, the constants with the values that they have there.
@@ -121,6 +97,28 @@ void refuse_motions_without_mass(const Formulation& mass, std::size_t n) {
 
 }  // namespace
 
+std::vector<Scalar> solved(SquareMatrix m, std::vector<Scalar> b, const Scalar& one) {
+  const std::size_t n = b.size();
+  SquareMatrix lower(n, std::vector<Scalar>(n));
+  std::vector<Scalar> inverse(n);
+  for (std::size_t k = n; k-- > 0;) {
+    if (m[k][k].is_zero())
+      throw MasslessLink("joint " + std::to_string(k + 1) + " moves no mass: the mass matrix has no inverse");
+    inverse[k] = one / m[k][k];
+    for (std::size_t i = 0; i < k; ++i) {
+      lower[i][k] = m[i][k] * inverse[k];
+      b[i] = b[i] - lower[i][k] * b[k];
+      for (std::size_t j = 0; j <= i; ++j) m[i][j] = m[j][i] = m[i][j] - lower[i][k] * m[j][k];
+    }
+  }
+  std::vector<Scalar> x(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    x[k] = b[k] * inverse[k];
+    for (std::size_t i = 0; i < k; ++i) x[k] = x[k] - lower[i][k] * x[i];
+  }
+  return x;
+}
+
 Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices) {
   const Formulation bias = inverse_dynamics(robot, choices, Effects::bias);
   const Formulation mass = mass_matrix(robot, choices);
@@ -152,7 +150,7 @@ Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& 
   const auto entries = copied(mass.function, graph);
   const std::vector<std::string> variables = model::coordinates(robot);
   const std::size_t n = variables.size();
-  const Matrix m = matrix_of(entries, n);
+  const SquareMatrix m = matrix_of(entries, n);
   const Scalar half(graph, graph.constant(exact::Number(cln::cl_RA(1) / 2)));
   const auto rate = [&](std::size_t i) { return Scalar(graph, graph.symbol(velocity_of(variables[i]))); };
   Scalar diagonal, others;
