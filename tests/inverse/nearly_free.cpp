@@ -42,7 +42,7 @@ std::optional<Eigen::VectorXd> drawn(Case& test, const char* set, int i) {
   return sample->q;
 }
 
-/// None if the search for the i-th pose fails.
+/// Returns the i-th pose next to a singular one; none if the search for it fails.
 std::optional<Sample> next_to_singular(Case& test, int i) {
   constexpr std::array searched = {"boundary", "centre on axis 1", "tool on axis 1"};
   const int kind = i % 4, turn = i / 4;

@@ -110,11 +110,11 @@ Scalar widest_blur() {
 }
 
 /// True if a direction may be so far from where the pose has it that rows have to be marked: half a
-/// milliradian or more. The squares are those of its vector's length and of the largest disc that rounding
-/// leaves.
+/// milliradian or more. `square` is that of its vector's length, `widest` how many times what is noise for
+/// sure rounding leaves at most, `noise` that square.
 template <typename Scalar>
-Mask<Scalar> is_marked(const Scalar& square, const Scalar& disc) {
-  return square <= Scalar(tolerance::marked) * disc;
+Mask<Scalar> is_marked(const Scalar& square, const Scalar& widest, const Scalar& noise) {
+  return square <= Scalar(tolerance::marked) * widest * noise;
 }
 
 /// A pair brought to length one. Where its squared length is below `tiny`, any direction will do: the
@@ -132,10 +132,9 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   Rotor<Scalar> unit = scale * v;
   if (any(blurred)) {
-    const Scalar disc = widest_blur<Scalar>() * tiny;
-    branch.continuum = branch.continuum | (branch.exists & is_marked(square, disc));
-    const Rotor<Scalar> near =
-        turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square), disc);
+    branch.continuum = branch.continuum | (branch.exists & is_marked(square, widest_blur<Scalar>(), tiny));
+    const Rotor<Scalar> near = turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square),
+                                                            Scalar(widest_blur<Scalar>() * tiny));
     unit = {select(blurred, near.cosine, unit.cosine), select(blurred, near.sine, unit.sine)};
   }
   return {select(is_free, choice.cosine, unit.cosine), select(is_free, choice.sine, unit.sine)};
@@ -160,13 +159,12 @@ Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const
   // A choice without length is nobody's.
   branch.doubt(blurred & (magnitude(brief_choice.cosine) + magnitude(brief_choice.sine) == Scalar(0)));
   const Mask<Scalar> is_free = square <= tiny;
-  const Scalar disc = widest_blur<Scalar>() * tiny;
-  branch.continuum = branch.continuum | (branch.exists & is_marked(square, disc));
+  branch.continuum = branch.continuum | (branch.exists & is_marked(square, widest_blur<Scalar>(), tiny));
   const Scalar safe = select(is_free, Scalar(1), length);
   const Scalar unbrief(1 / brief_length);
-  const Rotor<Scalar> near =
-      safe * turned_to<Scalar, opposites>(unbrief * brief_choice, Scalar(Scalar(1) / safe) * v,
-                                          select(is_free, tiny, square), disc);
+  const Rotor<Scalar> near = safe * turned_to<Scalar, opposites>(
+                                        unbrief * brief_choice, Scalar(Scalar(1) / safe) * v,
+                                        select(is_free, tiny, square), Scalar(widest_blur<Scalar>() * tiny));
   const Rotor<Scalar> seen{select(blurred, near.cosine, v.cosine), select(blurred, near.sine, v.sine)};
   length = select(is_free, Scalar(brief_length), length);
   return {select(is_free, brief_choice.cosine, seen.cosine), select(is_free, brief_choice.sine, seen.sine)};

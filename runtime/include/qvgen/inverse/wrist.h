@@ -28,13 +28,6 @@ Scalar widest_wrist_noise() {
   return Scalar(1024);
 }
 
-/// True if `turn_to_choice` may turn the argument of a number, whose square is `least`, so far that rows have
-/// to be marked.
-template <typename Scalar>
-Mask<Scalar> is_wrist_marked(const Scalar& least, const Scalar& noise) {
-  return is_marked(least, Scalar(widest_wrist_noise<Scalar>() * noise));
-}
-
 /// Which of two complex numbers, given by their squares, is noise next to the other: its argument is free.
 template <typename Scalar>
 struct Vanishing {
@@ -109,7 +102,8 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
              turn_to_choice(wrapped(Scalar(u_angle + v_angle), pi), first, least, is_free.noise, pi));
   u_argument = u_argument + select(u_square < v_square, turn, Scalar(0));
   v_argument = v_argument + select(u_square < v_square, Scalar(0), turn);
-  branch.continuum = branch.continuum | (branch.exists & is_wrist_marked(least, is_free.noise));
+  branch.continuum =
+      branch.continuum | (branch.exists & is_marked(least, widest_wrist_noise<Scalar>(), is_free.noise));
 }
 
 /// A wrist's two branches: (first, middle, last) and (first + pi, -middle, last + pi).
@@ -199,7 +193,8 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
   }
   if (!any(blurred)) return regular;
   branch.doubt(blurred & is_nobodys(seed));
-  branch.continuum = branch.continuum | (branch.exists & is_wrist_marked(least, is_free.noise));
+  branch.continuum =
+      branch.continuum | (branch.exists & is_marked(least, widest_wrist_noise<Scalar>(), is_free.noise));
   const Scalar turn = turn_to_choice(regular.one.first, seed, least, is_free.noise, pi);
   return aligned_wrist(turned_wrist(regular, turn, u_square < v_square, pi), u, v, is_free, swapped, seed,
                        pi);
