@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 # without_extensions.sh COMPILER EIGEN FOLDER WORK [BUT]: compiles every header of the runtime and of the robots in FOLDER, but
 # those whose paths the expression BUT matches, and the sources of two robots, as by a compiler that knows no extension of GCC.
-# A stand-in for cl.exe: the standard library and Eigen are included first; then __GNUC__ and __clang__ are undefined, and every keyword and built-in that only GCC and clang
-# have is an error. Attributes such as [[gnu::always_inline]] are left: C++17 wants unknown ones ignored.
+# A stand-in for cl.exe: the standard library and Eigen are included first; then __GNUC__ and __clang__ are undefined, and every
+# keyword and built-in that only GCC and clang have is an error. Attributes such as [[gnu::always_inline]] are left: C++17 wants
+# unknown ones ignored.
 set -euo pipefail
 compiler=$1 eigen=$2 generated=$3 work=$4 but=${5:-^$}
 source=$(cd "$(dirname "$0")/../.." && pwd)
