@@ -44,9 +44,9 @@ inline Solutions<joints + 1, most_solutions> solve_given(const ArmAtZero<joints 
 /// Returns the arm with the turn that a task without a heading leaves as one more joint, for a pose with the
 /// position and the inclination that are asked for.
 template <int dof>
-ArmAtZero<dof + 1> with_heading(const ArmAtZero<dof>& arm, const HeadingJoints& joints,
+ArmAtZero<dof + 1> with_heading(const ArmAtZero<dof>& arm, const HeadingJoints& places,
                                 const Pose<double>& pose, double given = 0) {
-  const Vector3<double> axis = heading_axis(arm, joints, given);
+  const Vector3<double> axis = heading_axis(arm, places, given);
   return with_tool_turn(arm, Vector3<double>(pose.normalised().orientation.conjugate() * axis));
 }
 
