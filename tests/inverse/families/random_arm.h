@@ -16,8 +16,8 @@ std::string arm_name(const std::string& family, std::uint32_t seed);
 /// are skew, some parallel, and some meet their neighbour; some are link tables with twists that are symbols.
 /// "five", "four": one of these cut; "codes": one of the sixteen codes cut to two to five joints. Else the
 /// arm of that number in the family's header (sliding_arms.h, twisted_arms.h, other_zeros.h,
-/// sliding_machines.h, seven_arms.h, pitched_arms.h, inclined_arms.h, heading_arms.h, unstructured_arms.h); behind those
-/// of the last six random arms follow.
+/// sliding_machines.h, seven_arms.h, pitched_arms.h, inclined_arms.h, heading_arms.h, unstructured_arms.h);
+/// behind those of the last six random arms follow.
 std::string arm_description(const std::string& family, std::uint32_t seed);
 
 }  // namespace qvgen::test
