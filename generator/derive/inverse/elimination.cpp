@@ -133,6 +133,9 @@ std::vector<Problem> problems_of(const Robot& robot) {
     for (const std::size_t joint : given_from_the_tool(robot))
       result.push_back(held(with_heading(problem_of(robot, task)), joint));
   if (count + 1 == six && leaves_heading) result.push_back(with_heading(problem_of(robot, task)));
+  // A heading about no joint of the arm's own is about nothing.
+  if (leaves_heading)
+    std::erase_if(result, [](const Problem& each) { return each.heading_joint() >= each.own_joints; });
   const bool leaves_a_turn = task == model::Task::pose || task == model::Task::position_and_direction;
   if (count + 1 == six && leaves_a_turn)
     for (const model::Vector3& axis : tool_axes(robot.inverse)) {

@@ -96,8 +96,7 @@ InverseDerivation derive_without_outer_joints(const model::Robot& robot) {
 InverseDerivation derive_with_outer_joints(const model::Robot& robot) {
   InverseDerivation result;
   result.reasons = {reason_against_giving(robot)};
-  const bool is_for_poses = robot.inverse.task.value_or(model::Task::pose) == model::Task::pose;
-  if (!is_for_poses || model::has_followers(robot)) return result;
+  if (model::has_followers(robot)) return result;
   for (const OuterJoints& way : ways_to_give(robot)) {
     result = derive_without_outer_joints(way.inner);
     result.outer = way;
@@ -109,9 +108,7 @@ InverseDerivation derive_with_outer_joints(const model::Robot& robot) {
 }  // namespace
 
 InverseDerivation derive_inverse(const model::Robot& robot) {
-  constexpr std::size_t most_joints_with_one_given = 7;
-  return robot.joints.size() > most_joints_with_one_given ? derive_with_outer_joints(robot)
-                                                          : derive_without_outer_joints(robot);
+  return gives_several(robot) ? derive_with_outer_joints(robot) : derive_without_outer_joints(robot);
 }
 
 }  // namespace qvgen::pipeline

@@ -9,13 +9,31 @@
 #include "emit/inverse/arm.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
+#include "model/tasks.h"
 
 namespace qvgen::pipeline {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t of_a_pose = 6;
+/// Returns how many joints a task determines, of those beside which several joints may be given; 0 else.
+std::size_t determined_by(const model::InverseRequest& request) {
+  switch (request.task.value_or(model::Task::pose)) {
+    case model::Task::pose:
+      return 6;
+    case model::Task::position_and_direction:
+    case model::Task::position_and_inclination:
+      return 5;
+    case model::Task::position_and_pitch:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+bool is_whole(const model::Robot& robot) {
+  return robot.inverse.task.value_or(model::Task::pose) == model::Task::pose;
+}
 
 bool is_named(const model::Robot& robot, const model::Joint& joint) {
   const std::vector<std::string>& named = robot.inverse.given;
@@ -48,7 +66,7 @@ model::Robot inner_arm(const model::Robot& robot, std::size_t first, std::size_t
   }
   inner.tool = model::compose(way, robot.tool);
   inner.inverse.given.clear();
-  if (count == of_a_pose) return inner;
+  if (count == determined_by(robot.inverse)) return inner;
   for (const model::Joint& joint : inner.joints)
     if (is_named(robot, joint)) inner.inverse.given.push_back(joint.variable);
   inner.inverse.every_given = inner.inverse.given.size() > 1;
@@ -59,9 +77,11 @@ model::Robot inner_arm(const model::Robot& robot, std::size_t first, std::size_t
 void add_ways(const model::Robot& robot, std::size_t count, std::vector<OuterJoints>& ways) {
   const std::size_t outer = robot.joints.size() - count;
   for (std::size_t first = outer + 1; first-- > 0;) {
+    if (first < outer && !is_whole(robot)) continue;
     if (!all_named(robot, 0, first) || !all_named(robot, first + count, robot.joints.size())) continue;
     OuterJoints way{first, inner_arm(robot, first, count)};
-    if (count == of_a_pose || !way.inner.inverse.given.empty()) ways.push_back(std::move(way));
+    if (count == determined_by(robot.inverse) || !way.inner.inverse.given.empty())
+      ways.push_back(std::move(way));
   }
 }
 
@@ -129,26 +149,39 @@ json joints_of(const model::Robot& inner) {
 
 }  // namespace
 
+bool gives_several(const model::Robot& robot) {
+  constexpr std::size_t most_with_one_given = 7;
+  const std::size_t determined = determined_by(robot.inverse);
+  return robot.joints.size() > (determined > 0 ? determined + 1 : most_with_one_given);
+}
+
 std::vector<OuterJoints> ways_to_give(const model::Robot& robot) {
   std::vector<OuterJoints> ways;
-  if (robot.joints.size() < of_a_pose + 2 || robot.inverse.given.empty()) return ways;
-  const bool gives_all = robot.inverse.given.size() + of_a_pose == robot.joints.size();
-  add_ways(robot, gives_all ? of_a_pose : of_a_pose + 1, ways);
-  add_ways(robot, gives_all ? of_a_pose + 1 : of_a_pose, ways);
+  const std::size_t determined = determined_by(robot.inverse);
+  if (determined == 0 || !gives_several(robot) || robot.inverse.given.empty()) return ways;
+  const bool gives_all = robot.inverse.given.size() + determined == robot.joints.size();
+  add_ways(robot, gives_all ? determined : determined + 1, ways);
+  add_ways(robot, gives_all ? determined + 1 : determined, ways);
   return ways;
 }
 
 std::string reason_against_giving(const model::Robot& robot) {
-  const std::size_t over = robot.joints.size() - of_a_pose;
-  const std::string count = std::to_string(over);
   const model::InverseRequest& request = robot.inverse;
-  if (request.task && *request.task != model::Task::pose)
-    return "several joints are given for whole poses alone";
+  const std::size_t determined = determined_by(request);
+  if (determined == 0)
+    return "several joints are given for whole poses, or a position and a direction, an inclination or a "
+           "pitch, alone";
+  const std::size_t over = robot.joints.size() - determined;
+  const std::string count = std::to_string(over);
+  const std::string fixed = is_whole(robot) ? "a pose in space fixes six"
+                                            : "the task " + model::task_name(*request.task) + " fixes " +
+                                                  std::to_string(determined);
+  const std::string places = is_whole(robot) ? "the first or the last of the arm" : "the first of the arm";
   if (request.given.size() < over)
-    return std::to_string(robot.joints.size()) + " joints: a pose in space fixes six; name " + count +
-           " whose values are given, all but one of them the first or the last of the arm: given = \"" +
+    return std::to_string(robot.joints.size()) + " joints: " + fixed + "; name " + count +
+           " whose values are given, all but one of them " + places + ": given = \"" +
            robot.joints[0].variable + ", " + robot.joints[1].variable + "\"";
-  return "of the " + count + " given joints all but one have to be the first or the last of the arm";
+  return "of the " + count + " given joints all but one have to be " + places;
 }
 
 void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer,

@@ -3,6 +3,9 @@
 //
 // All given joints but one have to be the first or the last of the arm. These outer joints move the pose that
 // the inner arm, which has six joints, or seven with one given, has to reach (qvgen/inverse/outer_joints.h).
+//
+// A task that leaves a motion open has fewer joints. Then the outer joints are the first of the arm: what is
+// asked for moves with them. Joints behind would move the tool point or axis that the open motion is about.
 #pragma once
 
 #include <optional>
@@ -22,7 +25,10 @@ struct OuterJoints {
   model::Robot inner;     ///< the arm with the outer joints at zero
 };
 
-/// Returns the ways to give as many joints as a pose leaves over, of those that the description names; the
+/// True if an arm has more joints than its task, and one given joint, determine.
+bool gives_several(const model::Robot& robot);
+
+/// Returns the ways to give as many joints as the task leaves over, of those that the description names; the
 /// way that needs no given joint of the inner arm first, if it gives all that are named.
 std::vector<OuterJoints> ways_to_give(const model::Robot& robot);
 

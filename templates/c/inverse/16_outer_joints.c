@@ -32,6 +32,19 @@ static Pose inner_pose(const OuterJoints* outer, const double* orientation, cons
   return between_frames(&outer->before, &pose, &outer->behind);
 }
 
+/// A position as the inner arm's base sees it.
+static void inner_place(const OuterJoints* outer, const double* position, double* place) {
+  const Pose at = pose_from(no_turn, position), moved = pose_after(&outer->before, &at);
+  memcpy(place, moved.position, sizeof moved.position);
+}
+
+/// A direction as the inner arm's base sees it.
+static void inner_direction(const OuterJoints* outer, const double* direction, double* seen) {
+  double meant[3];
+  direction_meant(direction, meant);
+  turn_vector(outer->before.orientation, meant, seen);
+}
+
 /// Values of the inner arm's joints.
 static void inner_joints(const double* whole, double* inner) {
   for (int i = 0; i < dof; ++i) inner[i] = whole[first_inner + i];

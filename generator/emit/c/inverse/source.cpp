@@ -108,9 +108,35 @@ Argument reduced(const model::Robot& described, const Problem& problem) {
   return {"const double position[3]", "position", {"const Pose pose = pose_from(no_turn, position);"}};
 }
 
+/// Lines that take outer joints off what a function is asked for, and what is left for the inner arm's.
+struct InnerArgument {
+  std::vector<std::string> lines;
+  std::string arguments;
+};
+
+InnerArgument inner_argument(const std::string& arguments) {
+  if (arguments == whole_pose().arguments)
+    return {{"const Pose pose = inner_pose(&outer, orientation, position);"},
+            "pose.orientation.of, pose.position"};
+  InnerArgument inner{{"double place[3];", "inner_place(&outer, position, place);"}, arguments};
+  const auto replace = [&](const std::string& name, const std::string& by) {
+    const std::size_t at = inner.arguments.find(name);
+    if (at == std::string::npos) return false;
+    inner.arguments.replace(at, name.size(), by);
+    return true;
+  };
+  replace("position", "place");
+  if (replace("direction", "seen"))
+    inner.lines.insert(inner.lines.end(), {"double seen[3];", "inner_direction(&outer, direction, seen);"});
+  return inner;
+}
+
 /// `cpp`: the same entry's values for C++.
 json entry(const Argument& argument, Filter filter, const std::string& suffix, const json& cpp) {
+  const InnerArgument inner = inner_argument(argument.arguments);
   return {{"suffix", suffix},
+          {"inner_lines", lines_of(inner.lines)},
+          {"inner_arguments", inner.arguments},
           {"parameters", argument.parameters},
           {"arguments", argument.arguments},
           {"meaning", cpp["meaning"]},

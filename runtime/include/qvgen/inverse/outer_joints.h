@@ -30,6 +30,21 @@ class OuterJoints {
   [[nodiscard]] Pose<double> inner_pose(const Pose<double>& pose) const {
     return between_frames(before_, pose_meant(pose).value_or(pose), behind_);
   }
+  // Parts of a pose, as the inner arm has to reach them; no outer joints stand behind it.
+
+  [[nodiscard]] PositionAndDirection<double> inner_task(const PositionAndDirection<double>& task) const {
+    return {before_ * task.position, before_.orientation * direction_meant(task.direction)};
+  }
+  /// A pitch is counted from axes that the outer joints move along.
+  [[nodiscard]] PositionAndPitch<double> inner_task(const PositionAndPitch<double>& task) const {
+    return {before_ * task.position, task.pitch};
+  }
+  /// The inclination is seen by the tool.
+  [[nodiscard]] PositionAndInclination<double> inner_task(const PositionAndInclination<double>& task) const {
+    return {before_ * task.position, task.up};
+  }
+  [[nodiscard]] Pose<double> inner_task(const Pose<double>& pose) const { return inner_pose(pose); }
+
   /// Rows of the inner arm as rows of the arm.
   template <int capacity>
   [[nodiscard]] Solutions<dof, capacity> rows(const Solutions<inner, capacity>& found) const {
