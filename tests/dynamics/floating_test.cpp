@@ -72,6 +72,11 @@ TEST_P(RandomFloatingTrees, EveryQuantityIsThatOfSixJointsInPlaceOfTheBase) {
     const VectorXd force = joined(base_force, motion.force);
     expect_close(to_base(reference::inverse_dynamics(chain, q, qd, found_qdd)), force, floating,
                  1e-12 * (1 + mass.norm() * found.norm()));
+    const auto other = forward_dynamics_by_articulated_bodies(robot, choices);
+    EXPECT_EQ(other.has_value(), !model::has_followers(robot)) << floating;
+    if (other)
+      expect_close(mass * values_of(*other, motion), mass * found, floating,
+                   1e-12 * (1 + mass.norm() * found.norm()));
 
     const VectorXd coriolis = values_of(coriolis_matrix(robot, choices), motion);
     const MatrixXd c = Eigen::Map<const RowMajor>(coriolis.data(), n, n);

@@ -47,6 +47,11 @@ TEST_P(RandomTrees, EveryQuantityIsTheReference) {
     const VectorXd found = values_of(forward_dynamics(robot, choices), motion);
     expect_close(reference::inverse_dynamics(chain, q, qd, found), force, text,
                  1e-13 * (1 + mass.norm() * found.norm()));
+    const auto other = forward_dynamics_by_articulated_bodies(robot, choices);
+    EXPECT_EQ(other.has_value(), !model::has_followers(robot)) << text;
+    if (other)
+      expect_close(reference::inverse_dynamics(chain, q, qd, values_of(*other, motion)), force, text,
+                   1e-13 * (1 + mass.norm() * found.norm()));
     const VectorXd coriolis = values_of(coriolis_matrix(robot, choices), motion);
     const Eigen::Index n = q.size();
     const MatrixXd c =

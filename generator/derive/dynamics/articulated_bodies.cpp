@@ -143,7 +143,7 @@ class ArticulatedBodies {
   }
 
  private:
-  /// What a link carries, in its frame.
+  /// Body and wrench that a link carries, itself included, in its frame.
   struct Carried {
     Articulated body;
     Wrench wrench;
