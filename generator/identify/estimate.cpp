@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "verify/loops/singular_values.h"
 
 namespace qvgen::identify {
 namespace {
@@ -158,7 +159,7 @@ void check_rows(const Equations& equations) {
 
 double condition_of(const MatrixXd& triangle) {
   if (triangle.size() == 0) return 0;
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(triangle).singularValues();
+  const VectorXd values = verify::singular_values(triangle);
   return values[0] / values[values.size() - 1];
 }
 
