@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_rounds = 30;
-constexpr double settled = 1e-4;
+constexpr double settled_noise = 1e-4;
 /// Residuals below this share of the torques are rounding.
 constexpr double rounding = 1e-13;
 
@@ -203,7 +203,8 @@ Estimate estimate(const Equations& equations, Index parameters, const std::optio
   Solved solved = solve(weighting.weighted(noise));
   for (int round = 0; !given && round < most_rounds; ++round) {
     const VectorXd next = weighting.noise(solved, noise);
-    const bool same = (next - noise).cwiseAbs().cwiseQuotient(next.cwiseMax(1e-300)).maxCoeff() < settled;
+    const bool same =
+        (next - noise).cwiseAbs().cwiseQuotient(next.cwiseMax(1e-300)).maxCoeff() < settled_noise;
     noise = next;
     solved = solve(weighting.weighted(noise));
     if (same) break;
