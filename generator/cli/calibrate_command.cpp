@@ -31,10 +31,6 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
-  for (const auto& each : diagnostics) fmt::print(stderr, "{}\n", description::to_string(each));
-}
-
 /// Returns the name of the calibrated robot: said, or the output's, or the robot's with an ending.
 std::string name_of(const CalibrateArguments& arguments, const model::Robot& robot) {
   if (!arguments.read.name.empty()) return arguments.read.name;

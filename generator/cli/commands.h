@@ -134,6 +134,8 @@ int run_new(const std::string& code, const std::string& name, bool euler_wrist,
 /// Reads all files and reports all their mistakes; nothing if there is an error in any.
 std::optional<std::vector<description::ReadResult>> read_descriptions(
     const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
+/// Writes what was found while reading to standard error, a line each.
+void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics);
 
 /// Returns the robot that was read, which there must be, with its tips.
 model::Mechanism mechanism_of(const description::ReadResult& result);

@@ -27,11 +27,6 @@ constexpr char expanded = 'x';  ///< the files that xacro has included, and what
 constexpr char refused = 'r';   ///< what xacro says against it
 constexpr char piped = 'p';     ///< the text of what can be read once, such as /dev/stdin
 
-void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics)
-    fmt::print(stderr, "{}\n", description::to_string(diagnostic));
-}
-
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& diagnostic) { return diagnostic.severity == Diagnostic::error; });
@@ -128,6 +123,11 @@ void stand_still(ReadResult& result) {
 }
 
 }  // namespace
+
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics)
+    fmt::print(stderr, "{}\n", description::to_string(diagnostic));
+}
 
 std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::path>& paths,
                                                          const ReadOptions& options) {

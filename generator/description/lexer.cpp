@@ -6,6 +6,8 @@
 
 #include <cln/integer.h>
 
+#include "description/characters.h"
+
 namespace qvgen::description {
 namespace {
 
@@ -13,7 +15,6 @@ namespace {
 constexpr std::size_t max_digits = 1000;
 constexpr int max_exponent = 300;
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Length in bytes of the UTF-8 character that begins here, so that a message can show it whole.

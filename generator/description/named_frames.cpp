@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "description/characters.h"
 #include "description/entries.h"
 #include "description/frames.h"
 #include "description/names.h"
@@ -13,8 +14,6 @@ namespace {
 
 /// Beyond this a name is cut off.
 constexpr std::size_t longest_frame_name = 48;
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// link1, link2, ... are the frames of the links themselves.
 bool is_name_of_link(const std::string& name) {

@@ -107,7 +107,7 @@ bool is_word(std::string_view name) {
          std::all_of(name.begin(), name.end(), letter);
 }
 
-std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 std::string lower_case(std::string_view name) {
   std::string result(name);
@@ -152,26 +152,26 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
 
 NameProblem check_identifier(std::string_view name) {
   if (!is_word(name)) {
-    return {quoted(name) + " is not a C++ name", "use letters, digits and '_', and begin with a letter"};
+    return {in_quotes(name) + " is not a C++ name", "use letters, digits and '_', and begin with a letter"};
   }
   if (name.front() == '_' || name.find("__") != std::string_view::npos) {
-    return {quoted(name) + " is reserved by C++", "do not begin with '_' and do not use '__'"};
+    return {in_quotes(name) + " is reserved by C++", "do not begin with '_' and do not use '__'"};
   }
   if (name.size() > longest_name) {
-    return {"the name " + quoted(std::string(name.substr(0, 16)) + "...") + " has " +
+    return {"the name " + in_quotes(std::string(name.substr(0, 16)) + "...") + " has " +
                 std::to_string(name.size()) + " letters",
             "names have at most " + std::to_string(longest_name)};
   }
   if (looks_like_macro(name)) {
-    return {quoted(name) + " may be a macro of C or C++",
+    return {in_quotes(name) + " may be a macro of C or C++",
             "names in capitals are theirs; write '" + lower_case(name) + "'"};
   }
   const auto is_name = [&](std::string_view other) { return name == other; };
   if (std::any_of(keywords.begin(), keywords.end(), is_name)) {
-    return {quoted(name) + " is a C++ keyword", "choose another name, e.g. '" + std::string(name) + "1'"};
+    return {in_quotes(name) + " is a C++ keyword", "choose another name, e.g. '" + std::string(name) + "1'"};
   }
   if (std::any_of(taken.begin(), taken.end(), is_name)) {
-    return {quoted(name) + " has a meaning in the generated code",
+    return {in_quotes(name) + " has a meaning in the generated code",
             "choose another name, e.g. '" + std::string(name) + "1'"};
   }
   return {};
@@ -180,10 +180,10 @@ NameProblem check_identifier(std::string_view name) {
 NameProblem check_robot_name(std::string_view name) {
   NameProblem problem = check_identifier(name);
   if (problem.message.empty() && lower_case(name) != name) {
-    problem = {quoted(name) + " has capital letters", "write '" + lower_case(name) + "'"};
+    problem = {in_quotes(name) + " has capital letters", "write '" + lower_case(name) + "'"};
   }
   if (std::find(taken_for_robots.begin(), taken_for_robots.end(), name) != taken_for_robots.end()) {
-    problem = {quoted(name) + " has a meaning in the generated code",
+    problem = {in_quotes(name) + " has a meaning in the generated code",
                "choose another name, e.g. '" + std::string(name) + "1'"};
   }
   return problem;

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <map>
 
+#include "description/characters.h"
 #include "description/parser.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
@@ -16,7 +17,6 @@ using model::Expression;
 
 const char* const example = "write a sum of joints and motors, e.g. \"1/2 ml - 1/2 mr + 10 deg\"";
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// The word that begins at a place of the text.

@@ -2,12 +2,11 @@
 #include "description/size_limits.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "description/characters.h"
 
 namespace qvgen::description {
 namespace {
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// The end of a quoted text that begins at `start`: behind its closing quotes, or of the text.
 std::size_t end_of_quoted(std::string_view text, std::size_t start) {

@@ -10,7 +10,6 @@
 #include <limits>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include "identify/divergence.h"
 

@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "verify/loops/singular_values.h"
 
 namespace qvgen::identify {
 namespace {
@@ -16,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_rounds = 30;
-constexpr double settled = 1e-4;
+constexpr double settled_noise = 1e-4;
 /// Residuals below this share of the torques are rounding.
 constexpr double rounding = 1e-13;
 
@@ -158,7 +159,7 @@ void check_rows(const Equations& equations) {
 
 double condition_of(const MatrixXd& triangle) {
   if (triangle.size() == 0) return 0;
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(triangle).singularValues();
+  const VectorXd values = verify::singular_values(triangle);
   return values[0] / values[values.size() - 1];
 }
 
@@ -202,7 +203,8 @@ Estimate estimate(const Equations& equations, Index parameters, const std::optio
   Solved solved = solve(weighting.weighted(noise));
   for (int round = 0; !given && round < most_rounds; ++round) {
     const VectorXd next = weighting.noise(solved, noise);
-    const bool same = (next - noise).cwiseAbs().cwiseQuotient(next.cwiseMax(1e-300)).maxCoeff() < settled;
+    const bool same =
+        (next - noise).cwiseAbs().cwiseQuotient(next.cwiseMax(1e-300)).maxCoeff() < settled_noise;
     noise = next;
     solved = solve(weighting.weighted(noise));
     if (same) break;

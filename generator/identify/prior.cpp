@@ -22,17 +22,18 @@ constexpr double thickness = 0.1;
 /// Share of a typical moment that a drive without a description is taken to have.
 constexpr double drive_share = 0.1;
 
-double number(const model::Expression& expression, const model::Bindings& values) {
+double value_of(const model::Expression& expression, const model::Bindings& values) {
   return model::to_double(model::evaluate(expression, values));
 }
 
 std::optional<PseudoInertia> described(const model::Inertia& inertia, const model::Bindings& values) {
   try {
-    const double mass = number(inertia.mass, values);
+    const double mass = value_of(inertia.mass, values);
     Vector3d c;
     Eigen::Matrix<double, 6, 1> i;
-    for (Index k = 0; k < 3; ++k) c[k] = number(inertia.centre_of_mass[static_cast<std::size_t>(k)], values);
-    for (Index k = 0; k < 6; ++k) i[k] = number(inertia.inertia[static_cast<std::size_t>(k)], values);
+    for (Index k = 0; k < 3; ++k)
+      c[k] = value_of(inertia.centre_of_mass[static_cast<std::size_t>(k)], values);
+    for (Index k = 0; k < 6; ++k) i[k] = value_of(inertia.inertia[static_cast<std::size_t>(k)], values);
     Matrix3d about_centre;
     about_centre << i[0], i[3], i[5], i[3], i[1], i[4], i[5], i[4], i[2];
     const Matrix3d moments = about_centre.trace() / 2 * Matrix3d::Identity() - about_centre;
@@ -53,10 +54,10 @@ std::vector<Vector3d> ends_of(const model::Robot& robot, const model::Bindings& 
     const bool last = i + 1 == robot.joints.size();
     const model::Vector3& way = last ? robot.tool.translation : robot.joints[i + 1].before.translation;
     Vector3d end;
-    for (Index k = 0; k < 3; ++k) end[k] = number(way[static_cast<std::size_t>(k)], values);
+    for (Index k = 0; k < 3; ++k) end[k] = value_of(way[static_cast<std::size_t>(k)], values);
     if (end.norm() == 0)  // the frame is at the link's end: its begin is behind
       for (Index k = 0; k < 3; ++k)
-        end[k] = -number(robot.joints[i].after.translation[static_cast<std::size_t>(k)], values);
+        end[k] = -value_of(robot.joints[i].after.translation[static_cast<std::size_t>(k)], values);
     ends.push_back(end);
   }
   return ends;
@@ -104,7 +105,7 @@ double fitting_mass(const ArmRegressor& arm, const Estimate& estimate,
 
 double positive_or(const model::Expression& expression, const model::Bindings& values, double otherwise) {
   try {
-    const double value = number(expression, values);
+    const double value = value_of(expression, values);
     return value > 0 ? value : otherwise;
   } catch (const model::EvaluationError&) {
     return otherwise;

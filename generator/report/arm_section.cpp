@@ -137,7 +137,7 @@ std::string chain_text(const Chain& chain) {
   return fmt::format("From the base to the tool: {}.", fmt::join(parts, ", "));
 }
 
-nlohmann::json figure(const std::string& svg, const std::string& caption) {
+nlohmann::json captioned(const std::string& svg, const std::string& caption) {
   return {{"svg", svg}, {"caption", caption}};
 }
 
@@ -149,13 +149,14 @@ nlohmann::json figures(const model::Robot& robot, const Chain& chain) {
   const Caption frames{"arm-frames", robot.title + ": frames",
                        fmt::format("The frames of {} links and the tool, at {}.", chain.joints.size(), pose),
                        true, true};
-  return {figure(drawing(chain, zero_pose(chain), zero_caption),
-                 "Zero pose, with the offsets’ names and lengths (m). Cylinders turn about the dashed axes, "
-                 "boxes slide along them."),
-          figure(drawing(chain, bent, bent_caption), escaped(pose)),
-          figure(drawing(chain, bent, frames),
-                 "The same pose: the frames in which the links are described, by the number of their joint, "
-                 "x dotted, y dashed, z drawn through; the tool’s last.")};
+  return {
+      captioned(drawing(chain, zero_pose(chain), zero_caption),
+                "Zero pose, with the offsets’ names and lengths (m). Cylinders turn about the dashed axes, "
+                "boxes slide along them."),
+      captioned(drawing(chain, bent, bent_caption), escaped(pose)),
+      captioned(drawing(chain, bent, frames),
+                "The same pose: the frames in which the links are described, by the number of their joint, "
+                "x dotted, y dashed, z drawn through; the tool’s last.")};
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ std::vector<Cell> row_of(const std::string& line) {
 }
 
 /// Puts a document's blocks into a page, one after the other.
-class Reader {
+class ErrataReader {
  public:
   void read(const std::string& line) {
     if (line.rfind("|", 0) == 0) return row(line);
@@ -110,7 +110,7 @@ class Reader {
 }  // namespace
 
 std::string errata_page(const std::string& markdown) {
-  Reader reader;
+  ErrataReader reader;
   std::istringstream stream(markdown);
   for (std::string line; std::getline(stream, line);) reader.read(line);
   return html(reader.finish());

@@ -75,7 +75,7 @@ Cell count_cell(int value) { return {std::to_string(value), true}; }
 
 namespace {
 
-json cells(const std::vector<Cell>& list) {
+json cells_of(const std::vector<Cell>& list) {
   json result = json::array();
   for (const Cell& cell : list)
     result.push_back({{"html", cell.html}, {"number", cell.number}, {"first", result.empty()}});
@@ -86,11 +86,11 @@ json cells(const std::vector<Cell>& list) {
 
 std::string html(const HtmlTable& table) {
   json rows = json::array();
-  for (const auto& row : table.rows) rows.push_back({{"cells", cells(row)}});
+  for (const auto& row : table.rows) rows.push_back({{"cells", cells_of(row)}});
   return emit::render("report/table.html", {{"caption", table.caption},
                                             {"sortable", !table.key.empty()},
                                             {"key", table.key},
-                                            {"head", cells(table.head)},
+                                            {"head", cells_of(table.head)},
                                             {"rows", rows}});
 }
 

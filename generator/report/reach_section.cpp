@@ -14,13 +14,13 @@ namespace qvgen::report {
 namespace {
 
 /// Longer formulas say nothing to a reader.
-constexpr std::size_t readable = 400;
+constexpr std::size_t longest_readable = 400;
 
 /// Those that are not too long, and how many are.
 std::string readable_html(const std::vector<std::string>& formulas) {
   std::vector<std::string> short_ones;
   for (const std::string& formula : formulas)
-    if (formula.size() <= readable) short_ones.push_back(formula);
+    if (formula.size() <= longest_readable) short_ones.push_back(formula);
   std::string html;
   if (!short_ones.empty()) html = formulas_html(short_ones);
   if (const std::size_t left_out = formulas.size() - short_ones.size(); left_out > 0)

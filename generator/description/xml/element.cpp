@@ -119,6 +119,11 @@ const Element* Element::child(std::string_view key) const {
   return found == children.end() ? nullptr : &*found;
 }
 
+std::string text_of(const Element& element, std::string_view key, const std::string& otherwise) {
+  const Attribute* attribute = element.attribute(key);
+  return attribute == nullptr ? otherwise : attribute->value;
+}
+
 std::optional<Element> parse(Context& context, std::string_view bytes, int file) {
   const Text readable_text = readable(context, bytes, file);
   const std::string& text = readable_text.utf8;

@@ -30,6 +30,9 @@ struct Element {
   [[nodiscard]] const Element* child(std::string_view key) const;
 };
 
+/// Returns an attribute's value, or another text where there is no such attribute.
+std::string text_of(const Element& element, std::string_view key, const std::string& otherwise = {});
+
 /// More than any robot description has, few enough for a message within a second.
 inline constexpr std::size_t max_elements = 100'000;
 inline constexpr std::size_t max_depth = 500;

@@ -10,11 +10,6 @@
 namespace qvgen::description::xml {
 namespace {
 
-std::string text_of(const Element& element, const std::string& key) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? "" : attribute->value;
-}
-
 /// The number of a copy, with as many digits as the count has.
 std::string number_of(long copy, long count) {
   const std::string number = std::to_string(copy);

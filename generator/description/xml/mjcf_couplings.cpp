@@ -9,11 +9,6 @@
 namespace qvgen::description::xml {
 namespace {
 
-std::string text_of(const Element& element, const std::string& key) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? "" : attribute->value;
-}
-
 /// The name of a tendon's length in sums with joints, which no joint has.
 std::string key_of(const std::string& tendon) { return "\n" + tendon; }
 

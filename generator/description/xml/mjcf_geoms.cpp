@@ -20,11 +20,7 @@ cl_RA nothing() { return cln::expt(cl_RA(10), cln::cl_I(-14)); }
 
 cl_R precise(const cl_R& value) { return cln::cl_float(value, cln::float_format(model::evaluation_digits)); }
 
-std::string text_of(const Element& element, const std::string& key, const std::string& otherwise) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? otherwise : attribute->value;
-}
-std::string type_of(const Element& geom) { return text_of(geom, "type", "sphere"); }
+std::string geom_type(const Element& geom) { return text_of(geom, "type", "sphere"); }
 bool is_shell(const Element& geom) { return text_of(geom, "shellinertia", "false") == "true"; }
 
 /// Half the sides of the box that has these moments for a mass of 1, each along its principal axis.
@@ -89,7 +85,7 @@ std::optional<Body> MjcfGeoms::body(const Placed& placed, bool& known) {
 }
 
 std::optional<MjcfGeoms::Shape> MjcfGeoms::shape(const Placed& placed, const Element& geom, bool& known) {
-  const std::string type = type_of(geom);
+  const std::string type = geom_type(geom);
   const bool between = geom.attribute("fromto") != nullptr;
   std::optional<Shape> shape;
   if (geom.attribute("mesh") != nullptr) {
@@ -123,8 +119,8 @@ std::optional<Vector> MjcfGeoms::size(const Element& geom, std::size_t count) co
   }
   if (positive >= count) return result;
   context_->error(size.place,
-                  "the size of a geom of type " + type_of(geom) + " has fewer than " + std::to_string(count) +
-                      (count == 1 ? " positive number" : " positive numbers"),
+                  "the size of a geom of type " + geom_type(geom) + " has fewer than " +
+                      std::to_string(count) + (count == 1 ? " positive number" : " positive numbers"),
                   "write as many");
   return std::nullopt;
 }
@@ -141,7 +137,7 @@ std::optional<MjcfGeoms::Shape> MjcfGeoms::between_points(const Element& geom) c
     middle.at(i) = ((*ends)[i].value + (*ends)[i + 3].value) / 2;
     squared = squared + cln::square(direction.at(i));
   }
-  const std::string type = type_of(geom);
+  const std::string type = geom_type(geom);
   if (cln::zerop(squared) || sizes_of(type) < 2) {
     context_->error(geom.attribute("fromto")->place,
                     "'fromto' of a geom of type " + type + ", or of length zero",
@@ -160,7 +156,7 @@ std::optional<MjcfGeoms::Shape> MjcfGeoms::between_points(const Element& geom) c
 std::optional<MjcfGeoms::Shape> MjcfGeoms::mesh(const MjcfModel& model, const Element& geom, bool& known) {
   const Attribute& name = *geom.attribute("mesh");
   const MjcfMeshes::Result& result = meshes_.of(model, name.value);
-  const std::string type = type_of(geom);
+  const std::string type = geom_type(geom);
   const bool is_mesh = type == "mesh";
   if (!result.problem.empty() || (!is_mesh && sizes_of(type) == 0)) {
     known = false;
@@ -186,9 +182,9 @@ std::optional<MjcfGeoms::Shape> MjcfGeoms::fitted(const Shape& mesh, const Eleme
   tree::Principal principal = tree::principal(mesh.body.inertia);
   sort(principal);
   const cl_R scale = read_decimal(*context_, geom, "fitscale", 1).value;
-  Vector size = fitted_size(type_of(geom), box_of(principal.moments));
+  Vector size = fitted_size(geom_type(geom), box_of(principal.moments));
   for (cl_R& entry : size) entry = entry * scale;
-  const auto found = solid(type_of(geom), size, is_shell(geom));
+  const auto found = solid(geom_type(geom), size, is_shell(geom));
   if (!found) return std::nullopt;
   Shape shape = mesh;
   shape.volume = found->volume;

@@ -14,11 +14,6 @@ using tree::Closure;
 using tree::folded;
 using tree::Node;
 
-std::string text_of(const Element& element, const std::string& key) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? "" : attribute->value;
-}
-
 /// Reads the loops' elements.
 class LoopReader {
  public:

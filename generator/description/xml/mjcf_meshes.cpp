@@ -10,11 +10,6 @@
 namespace qvgen::description::xml {
 namespace {
 
-std::string text_of(const Element& element, const std::string& key) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? "" : attribute->value;
-}
-
 std::filesystem::path path_of(const MjcfModel& model, const std::string& file) {
   const std::filesystem::path name = file;
   return model.folder / model.settings.mesh_folder / (model.settings.strip_paths ? name.filename() : name);

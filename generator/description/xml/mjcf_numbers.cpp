@@ -8,14 +8,6 @@
 #include "model/evaluate.h"
 
 namespace qvgen::description::xml {
-namespace {
-
-std::string text_of(const Element& element, const std::string& key, const std::string& otherwise) {
-  const Attribute* attribute = element.attribute(key);
-  return attribute == nullptr ? otherwise : attribute->value;
-}
-
-}  // namespace
 
 model::Expression MjcfNumbers::angle(const Decimal& written) const {
   if (!settings_.degrees) return snap_.angle(written);

@@ -11,7 +11,7 @@ namespace {
 using Newton = polishing::Newton<double, joints, 3>;
 
 /// How far an idle joint is moved from a crossing, rad or share of the size.
-constexpr double aside = 0.1;
+constexpr double step_aside = 0.1;
 /// Joint values this far from the row, squared, are elsewhere: steps have gone astray.
 constexpr double astray = 0.25;
 /// A row this near, squared, is the one that was found.
@@ -64,7 +64,8 @@ void Careful::look_along_crossings() {
     const auto idle = Newton::idle(Newton(task_).reached(row.values));
     if (std::count(idle.is.begin(), idle.is.end(), true) < 2) continue;
     for (std::size_t j = 0; j < joints && !row.continuum; ++j)
-      row.continuum = idle.is[j] && (goes_on_beside(row, j, aside) || goes_on_beside(row, j, -aside));
+      row.continuum =
+          idle.is[j] && (goes_on_beside(row, j, step_aside) || goes_on_beside(row, j, -step_aside));
   }
 }
 
