@@ -19,7 +19,7 @@ struct LostRows {
   std::string first;  ///< the first of these, in words
 };
 
-/// Asks for all rows, for rows from another seed, and for the row near the sampled joints.
+/// Asks for all rows, for rows from another seed or within limits, and for the row near the sampled joints.
 LostRows lost_next_to_singular(Case& test, int poses);
 
 }  // namespace qvgen::test

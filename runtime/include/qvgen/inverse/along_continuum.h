@@ -3,6 +3,7 @@
 
 #include <qvgen/inverse/continuum.h>
 #include <qvgen/inverse/joint_limits.h>
+#include <qvgen/inverse/straight.h>
 #include <qvgen/inverse/whole_arm.h>
 
 /// Within limits at and near singular poses.
@@ -38,8 +39,11 @@ class AlongContinuum {
   bool bring_inside(Joints<dof>& q, bool is_marked, Effort& effort) {
     Budget ahead = most, back = most;
     Place start;
-    const bool found = press(q, near, ahead) || (begin(q, is_marked, start, ahead) &&
-                                                 (follow(1, start, q, ahead) || follow(-1, start, q, back)));
+    bool found = press(q, near, ahead);
+    if (!found && begin(q, is_marked, start, ahead)) {
+      found = follow(1, start, q, ahead) || follow(-1, start, q, back);
+      if (!found && are_two_free(start)) found = gather(q, effort);
+    }
     effort.steps += ahead.spent.steps + back.spent.steps;
     return found;
   }
@@ -51,6 +55,9 @@ class AlongContinuum {
     effort.steps += budget.spent.steps;
     return found;
   }
+
+  /// True if a row has been left of which others on its surface may be inside.
+  [[nodiscard]] bool has_left_surface() const { return left_surface_; }
 
  private:
   static constexpr auto joints = static_cast<std::size_t>(dof);
@@ -101,6 +108,43 @@ class AlongContinuum {
     start.values = values_of(q);
     if (!polish(task_, patience, start.values, start.at, budget) || !look(1, start)) return false;
     return is_marked || is_idle(start.at, start.way, tolerance::off_continuum);
+  }
+
+  /// True if the pose leaves two joints, not one: its rows are then a surface, of which the walk sees a line.
+  [[nodiscard]] static bool are_two_free(const Place& place) {
+    const auto idle = Newton::idle(place.at);
+    return std::count(idle.is.begin(), idle.is.end(), true) > 1;
+  }
+
+  /// Searches a surface of rows: by turns onto it and back inside the limits, from the row and from the
+  /// limits' middle. Where that leads nowhere there may still be something.
+  bool gather(Joints<dof>& q, Effort& effort) {
+    Joints<dof> middle = q;
+    for (int i = 0; i < dof; ++i)
+      if (std::isfinite(limits_.lower[i]) && std::isfinite(limits_.upper[i]))
+        middle[i] = 0.5 * (limits_.lower[i] + limits_.upper[i]);
+    for (const Joints<dof>& start : {middle, Joints<dof>(q)}) {
+      Budget budget = most;
+      const bool found = gather_from(start, q, budget);
+      effort.steps += budget.spent.steps;
+      if (found) return true;
+    }
+    left_surface_ = true;
+    return false;
+  }
+  bool gather_from(Joints<dof> place, Joints<dof>& q, Budget& budget) {
+    constexpr int most_turns = 40;
+    for (int k = 0; k < most_turns; ++k) {
+      for (int i = 0; i < dof; ++i) place[i] -= outside(i, place[i]);
+      Values values = values_of(place);
+      At at;
+      if (!polish(task_, patience, values, at, budget)) return false;
+      place = joints_of(values);
+      if (!is_inside(place) && !press(place, near, budget)) continue;
+      q = place;
+      return true;
+    }
+    return false;
   }
 
   /// In one direction. A budget that is used up ends the walk.
@@ -258,44 +302,11 @@ class AlongContinuum {
   ArmMatching<dof, points> task_;
   Newton newton_{task_};
   JointLimits<dof> limits_;
-};
-
-/// Joint values at which the axes before and behind a joint are in line, as those of a wrist are: there the
-/// joints of these axes do the same. Closed forms take a wrist for regular up to rounding, and leave its
-/// first joint anywhere.
-template <int dof>
-class Straight {
- public:
-  explicit Straight(const ArmAtZero<dof>& arm) {
-    for (int i = 1; i + 1 < dof; ++i) add(arm, i);
-  }
-
-  /// True if some joint is next to such a value, or to the opposite one.
-  [[nodiscard]] bool holds(const Joints<dof>& q) const {
-    constexpr double next_to = tolerance::idle;
-    for (int i = 1; i + 1 < dof; ++i)
-      if (exists_[i] && std::abs(without_turns(2 * (q[i] - value_[i]))) < next_to) return true;
-    return false;
-  }
-
- private:
-  void add(const ArmAtZero<dof>& arm, int i) {
-    const auto at = [&](int joint) { return arm.joints[static_cast<std::size_t>(joint)]; };
-    exists_[i] = false;
-    if (!at(i - 1).revolute || !at(i).revolute || !at(i + 1).revolute) return;
-    const Triple<double>& axis = at(i).axis;
-    const Triple<double> before = cross(axis, at(i - 1).axis), behind = cross(axis, at(i + 1).axis);
-    const double inclined = dot(before, before), also = dot(behind, behind);
-    exists_[i] = inclined > 1e-6 && std::abs(inclined - also) < 1e-6;
-    value_[i] = exists_[i] ? std::atan2(dot(axis, cross(behind, before)), dot(behind, before)) : 0;
-  }
-
-  bool exists_[dof];
-  double value_[dof];
+  bool left_surface_ = false;
 };
 
 /// Moves the rows that are outside limits and that the pose leaves free, or nearly so, to where they are
-/// inside.
+/// inside. Where none is, but the pose leaves two joints free, the set is incomplete.
 template <int points, int dof, int capacity, std::size_t count>
 void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, const JointLimits<dof>& limits,
                   const std::array<bool, count>& revolute, Solutions<dof, capacity>& found) {
@@ -303,14 +314,17 @@ void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Joi
   const Straight<dof> straight(arm);
   AlongContinuum<dof, points> along(arm, pose, limits);
   const bool is_near_singular = found.effort.passes > 0;
+  bool is_any_inside = false;
   for (Solution<dof>& row : found) {
     Joints<dof> q = row.q;
-    if (within.take(q)) continue;
-    if (is_near_singular || row.continuum || straight.holds(row.q))
-      along.bring_inside(row.q, row.continuum, found.effort);
-    else
-      along.bring_back(row.q, found.effort);
+    const bool is_free = is_near_singular || row.continuum || straight.holds(row.q);
+    const bool is_inside = within.take(q) || (is_free ? along.bring_inside(row.q, row.continuum, found.effort)
+                                                      : along.bring_back(row.q, found.effort));
+    is_any_inside = is_any_inside || is_inside;
   }
+  if (is_any_inside || !along.has_left_surface()) return;
+  found.effort.used_up = true;
+  found.status = Status::incomplete;
 }
 
 /// Brings the rows of an arm with a given joint inside the limits; the given joint keeps its value.
@@ -335,6 +349,7 @@ void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, int given
   rest.effort = found.effort;
   bring_inside<points>(without_joint(arm, given, value), pose, others, kinds, rest);
   found.effort = rest.effort;
+  if (rest.status == Status::incomplete) found.status = rest.status;
   for (int k = 0; k < found.size(); ++k)
     for (int i = 0; i < dof - 1; ++i) found[k].q[i < given ? i : i + 1] = rest[k].q[i];
 }
