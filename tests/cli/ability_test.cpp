@@ -195,6 +195,9 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q4, q5\"\n"),
           "of the 2 given joints all but one have to be the first or the last of the arm");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
+  refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1; Rz 0 0 0.1"),
+          "name 3 whose values are given, all but one of them the first or the last of the arm: "
+          "given = \"q1, q2, q3\"");
 }
 
 /// Three axes are parallel, and the sixth passes the fifth: by a quartic only if no two neighbours pass each

@@ -136,6 +136,12 @@ std::string bound(const model::Robot& robot, const model::Expression& value) {
   return fmt::format("{}", model::to_double(model::evaluate(value, model::default_bindings(robot))));
 }
 
+std::string first_variables(const model::Robot& robot, std::size_t count) {
+  std::string list;
+  for (std::size_t i = 0; i < count; ++i) list += (i == 0 ? "" : ", ") + robot.joints[i].variable;
+  return list;
+}
+
 json joints_of(const model::Robot& inner) {
   json list = json::array();
   for (const model::Joint& joint : inner.joints)
@@ -180,7 +186,7 @@ std::string reason_against_giving(const model::Robot& robot) {
   if (request.given.size() < over)
     return std::to_string(robot.joints.size()) + " joints: " + fixed + "; name " + count +
            " whose values are given, all but one of them " + places + ": given = \"" +
-           robot.joints[0].variable + ", " + robot.joints[1].variable + "\"";
+           first_variables(robot, over) + "\"";
   return "of the " + count + " given joints all but one have to be " + places;
 }
 
