@@ -69,7 +69,7 @@ std::vector<DynamicsQuantity> all_quantities() {
 
 /// The certificate in generate_dynamics holds every function against the plain recursion, so this throws if
 /// any frame, convention or formulation is wrong for some arrangement of joints.
-/// Of three joints each arrangement has axes of one kind; in long runs it has both.
+/// Arms of three joints have axes of one kind in each arrangement, in long runs of both.
 TEST(Dynamics, RandomRobotsPassTheirCertificates) {
   const bool has_both = std::getenv("QVGEN_TREES") != nullptr;
   const std::vector<std::string> arrangements{"R",   "P",   "PR",  "RP",  "RR",  "PRR",

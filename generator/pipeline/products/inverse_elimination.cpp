@@ -79,8 +79,7 @@ std::string by_elimination(const EliminationDerivation& derivation) {
       "been found;\n"
       "/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.";
   if (derivation.problem.has_heading())
-    text +=
-        "\n/// What the inclination says is worked out at every call, as are the geometry and a given joint.";
+    text += "\n/// Each call works out what the inclination, the geometry and a given joint say.";
   else if (!derivation.is_constant)
     text += "\n/// What the geometry or a given joint says is worked out at every call.";
   return text;
