@@ -36,6 +36,7 @@ static Rotor rotor(double cosine, double sine) {
 static Rotor product(Rotor a, Rotor b) { return rotor(a.cosine * b.cosine, a.sine * b.sine); }
 static void doubt(Branch* branch, bool condition) { branch->unsure = branch->unsure || condition; }
 static const double pi = 3;
+enum { most_rows = 1, most_columns = 1 };
 )";
 
 std::string in_c(const std::string& header) {
@@ -237,6 +238,77 @@ inline double arctangent(double y, double x) { return polynomial::arctangent(y, 
             "static inline double arctangent(double y, double x) {\n  return y / x;\n}\n\n"
             "static inline double arctangent_of_length(double y, double x, double length) {\n"
             "  return arctangent(y, x) / length;\n}\n\n");
+}
+
+const std::string sums = R"(
+template <typename Scalar, std::size_t rows>
+using Vector = std::array<Scalar, rows>;
+template <typename Scalar, std::size_t columns, std::size_t rows>
+using Columns = std::array<Vector<Scalar, rows>, columns>;
+template <typename Scalar, std::size_t rows>
+Scalar sum(const Vector<Scalar, rows>& v) {
+  Scalar all(0);
+  for (std::size_t i = 0; i < rows; ++i) all += v[i];
+  return all;
+}
+)";
+
+/// C++ knows sizes when it compiles, C when it runs: the types of a call's arguments say them.
+TEST(RuntimeBlocks, SizesOfTemplatesAreArguments) {
+  EXPECT_EQ(in_c(sums + R"(
+template <typename Scalar, std::size_t columns>
+struct Both {
+  Vector<Scalar, columns> sums;
+  Columns<Scalar, columns, 2> pairs;
+};
+template <typename Scalar, std::size_t columns, std::size_t rows>
+Scalar all_of(const Columns<Scalar, columns, rows>& a) {
+  Both<Scalar, columns> both{};
+  Vector<Scalar, columns + 1> more{};
+  for (std::size_t i = 0; i < columns; ++i) both.sums[i] = sum(a[i]);
+  return sum(both.sums) + sum(both.pairs[0]) + sum(more);
+}
+)"),
+            R"(typedef struct Vector {
+  double of[most_rows];
+} Vector;
+
+typedef struct Columns {
+  Vector of[most_columns];
+} Columns;
+
+typedef struct Both {
+  Vector sums;
+  Columns pairs;
+} Both;
+
+static double sum(int rows, const Vector* v) {
+  double all = 0;
+  for (int i = 0; i < rows; ++i) all += v->of[i];
+  return all;
+}
+
+static double all_of(int columns, int rows, const Columns* a) {
+  Both both = {{{0}}};
+  Vector more = {{0}};
+  for (int i = 0; i < columns; ++i) both.sums.of[i] = sum(rows, &a->of[i]);
+  return sum(columns, &both.sums) + sum(2, &both.pairs.of[0]) + sum(columns + 1, &more);
+}
+
+)");
+}
+
+TEST(RuntimeBlocks, ASizeThatNothingSaysIsRefusedWithItsPlace) {
+  const auto error_of = [](const std::string& parameter, const std::string& statement) {
+    return error_in(sums + "template <typename Scalar, std::size_t rows>\nScalar f(const " + parameter + "& x) {\n  " +
+                    statement + "\n}\n");
+  };
+  EXPECT_THAT(error_of("Vector<Scalar, rows>", "return sum(x);"), HasSubstr("no error"));
+  EXPECT_THAT(error_of("Scalar", "return sum(x);"), HasSubstr("header.h:15: no argument says the rows of sum"));
+  EXPECT_THAT(error_of("Columns<Scalar, rows>", "return sum(x[0]);"),
+              HasSubstr("header.h:14: another number of sizes than Columns has"));
+  EXPECT_THAT(error_of("Vector<Scalar, 2 * rows>", "return sum(x);"), HasSubstr("header.h:14: \"rows\" is not declared"));
+  EXPECT_THAT(error_of("Vector<Scalar, rows", "return sum(x);"), HasSubstr("header.h:"));
 }
 
 TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {

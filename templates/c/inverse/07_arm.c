@@ -86,42 +86,7 @@ typedef struct Matching {
   double size_square;
 } Matching;
 
-typedef struct JointValues {
-  Rotor of[most_joints];
-} JointValues;
-
-/// Joints that keep their values while the others are polished.
-typedef struct Held {
-  bool is[most_joints];
-} Held;
-
 static const Held nothing_held = {{false}};
-
-static double values_apart(int joints, const JointValues* a, const JointValues* b) {
-  double sum = 0;
-  for (int i = 0; i < joints; ++i) {
-    const double x = a->of[i].cosine - b->of[i].cosine;
-    const double y = a->of[i].sine - b->of[i].sine;
-    sum += x * x + y * y;
-  }
-  return sum;
-}
-
-/// Returns the pairs at `tolerance_way_between` of the way from one joint value to another.
-static JointValues place_between(int joints, const JointValues* a, const JointValues* b) {
-  JointValues place = *a;
-  for (int i = 0; i < joints; ++i) {
-    place.of[i].cosine += tolerance_way_between * (b->of[i].cosine - a->of[i].cosine);
-    place.of[i].sine += tolerance_way_between * (b->of[i].sine - a->of[i].sine);
-  }
-  return place;
-}
-
-/// True if a place between two joint values is nearer to each than they are to each other.
-static bool lies_between(int joints, const JointValues* place, const JointValues* a, const JointValues* b) {
-  const double most = tolerance_between * values_apart(joints, a, b);
-  return values_apart(joints, a, place) < most && values_apart(joints, b, place) < most;
-}
 
 /// A joint's value changed by so many radians or metres.
 static void advance(const Matching* task, int joint, double by, JointValues* values) {

@@ -3,7 +3,7 @@
 /// Place that joint values reach, with derivatives. Rows: the position; for a whole pose also the orientation, as a
 /// rotation vector times the size.
 typedef struct Reached {
-  double jacobian[most_joints][6];
+  Columns jacobian;
   double off[6];  // goal - reached
   double error;   // its square, of turns beyond the first order too
 } Reached;
@@ -15,7 +15,7 @@ static void reached_position(const Matching* task, const JointValues* values, Re
   memcpy(x, task->start[0], sizeof x);
   for (int i = task->joints; i-- > 0;) {
     const Screw* screw = &task->arm[i];
-    double* column = result->jacobian[i];
+    double* column = result->jacobian.of[i].of;
     move_point(screw, values->of[i], x);
     if (screw->revolute) {
       difference(x, screw->point, column);
@@ -24,7 +24,7 @@ static void reached_position(const Matching* task, const JointValues* values, Re
       memcpy(column, screw->axis, sizeof screw->axis);
     }
     for (int k = i + 1; screw->revolute && k < task->joints; ++k)
-      turn_direction(screw, values->of[i], result->jacobian[k]);
+      turn_direction(screw, values->of[i], result->jacobian.of[k].of);
   }
   difference(task->goal[0], x, result->off);
   result->error = dot(result->off, result->off);
@@ -119,8 +119,8 @@ static void reached_pose(const Matching* task, const JointValues* values, Reache
       cross(axis[i], way, way);
     }
     for (int k = 0; k < 3; ++k) {
-      result->jacobian[i][k] = way[k];
-      result->jacobian[i][3 + k] = revolute ? size * axis[i][k] : 0;
+      result->jacobian.of[i].of[k] = way[k];
+      result->jacobian.of[i].of[3 + k] = revolute ? size * axis[i][k] : 0;
     }
   }
   set_miss(task, &frame, place, size, result);

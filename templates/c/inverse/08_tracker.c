@@ -8,8 +8,8 @@ static Patience quick(double allowed) {
 
 /// Values moved on along an idle joint, the others following.
 static void move_along(const Matching* task, const Reached* at, int joint, double by, JointValues* values) {
-  const Steps others = following(task, at, joint, by);
-  for (int i = 0; i < task->joints; ++i) advance(task, i, others.by[i], values);
+  const Vector others = following(task, at, joint, by);
+  for (int i = 0; i < task->joints; ++i) advance(task, i, others.of[i], values);
 }
 
 /// True if values that reach the goals, moved on a little, still miss them by no more than is allowed.
@@ -25,7 +25,7 @@ static bool goes_on(const Matching* task, const JointValues* values, const Reach
     JointValues moved_on = *values;
     Reached there;
     move_along(task, at, idle.least, (double)side * little, &moved_on);
-    if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.columns)) return true;
+    if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.is)) return true;
   }
   return false;
 }
@@ -36,12 +36,12 @@ static bool leads_on_beside(const Matching* task, const JointValues* values, con
                             double allowed, Budget* budget) {
   const Dependent idle = idle_joints(task, at);
   int count = 0;
-  for (int i = 0; i < task->joints; ++i) count += idle.columns.is[i] ? 1 : 0;
+  for (int i = 0; i < task->joints; ++i) count += idle.is.of[i] ? 1 : 0;
   if (count < 2) return false;
   for (int i = 0; i < task->joints; ++i) {
-    if (!idle.columns.is[i]) continue;
+    if (!idle.is.of[i]) continue;
     Held held = nothing_held;
-    held.is[i] = true;
+    held.of[i] = true;
     JointValues moved_on = *values;
     advance(task, i, length_of_arc(task, i, tolerance_way_along), &moved_on);
     Reached there;
@@ -52,7 +52,7 @@ static bool leads_on_beside(const Matching* task, const JointValues* values, con
 
 /// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
 static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
-  const double allowed = 64 * DBL_EPSILON;
+  const double allowed = tolerance_noise * DBL_EPSILON;
   return goes_on(task, values, at, allowed, budget) ||
          leads_on_beside(task, values, at, allowed, budget);
 }
@@ -64,7 +64,7 @@ static bool are_joined(const Matching* task, const JointValues* a, const Reached
   if (idle.least == task->joints) return false;
   JointValues place = place_between(task->joints, a, b);
   Reached there;
-  return polish(task, quick(0), &place, &there, budget, &idle.columns) &&
+  return polish(task, quick(0), &place, &there, budget, &idle.is) &&
          lies_between(task->joints, &place, a, b);
 }
 
@@ -74,14 +74,9 @@ typedef struct Known {
   JointValues of[most_branches];
 } Known;
 
-/// By more than half the digits.
-static bool are_apart(int joints, const JointValues* a, const JointValues* b) {
-  return !(values_apart(joints, a, b) < 180 * DBL_EPSILON);
-}
-
 static bool is_known(const Known* known, int joints, const JointValues* values) {
   for (int k = 0; k < known->count; ++k)
-    if (!are_apart(joints, &known->of[k], values)) return true;
+    if (are_same(joints, &known->of[k], values)) return true;
   return false;
 }
 
@@ -188,7 +183,7 @@ static bool is_joined_to_known(Tracker* tracker, const Matching* task, const Joi
                                const Reached* at) {
   for (int k = 0; k < tracker->known.count; ++k) {
     const JointValues* other = &tracker->known.of[k];
-    if (values_apart(task->joints, other, values) < tolerance_may_be_joined &&
+    if (distance_square(task->joints, other, values) < tolerance_may_be_joined &&
         are_joined(task, values, at, other, &tracker->budget))
       return true;
   }
@@ -203,7 +198,7 @@ static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task,
   const JointValues start = *values;
   const bool reaches = polish(task, until, values, reached, budget, &nothing_held);
   if (reaches &&
-      !(is_known(&tracker->known, task->joints, values) && are_apart(task->joints, &start, values)))
+      !(is_known(&tracker->known, task->joints, values) && !are_same(task->joints, &start, values)))
     return true;
   if (!reaches) return leave_double_root(task, until, &tracker->known, values, reached, budget);
   JointValues beside = start;
@@ -251,7 +246,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
   const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
   const bool same = leads && is_known(known, task->joints, values);
   // A branch that reached another branch's solution from elsewhere may have left its own, which a choice finds.
-  if (!leads || (tracker->persists && same && are_apart(task->joints, &start, values))) {
+  if (!leads || (tracker->persists && same && !are_same(task->joints, &start, values))) {
     if (*state == unseen) *state = missed;
     return false;
   }
@@ -287,7 +282,7 @@ static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patie
   Reached at;
   reach(task, values, &at);
   const Dependent idle = idle_joints(task, &at);
-  return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.columns);
+  return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.is);
 }
 
 /// True if the joints that are idle can be where the seed has them.
@@ -296,8 +291,8 @@ static bool holds(SeedTracker* tracker, const Matching* task, Patience until, co
   const Dependent idle = idle_joints(task, reached);
   if (idle.least == task->joints) return false;
   for (int i = 0; i < task->joints; ++i)
-    if (idle.columns.is[i]) values->of[i] = seed->of[i];
-  return polish(task, until, values, reached, &tracker->budget, &idle.columns);
+    if (idle.is.of[i]) values->of[i] = seed->of[i];
+  return polish(task, until, values, reached, &tracker->budget, &idle.is);
 }
 
 /// False if no steps lead to the pose.

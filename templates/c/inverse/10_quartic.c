@@ -20,8 +20,7 @@ static double miss(const Matching* task, const JointValues* values) {
   return sum;
 }
 
-static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian,
-                      double* off) {
+static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian, Vector* off) {
   double columns[most_joints][3], x[3];
   memcpy(x, task->start[p], sizeof x);
   for (int i = task->joints; i-- > 0;) {
@@ -38,35 +37,39 @@ static void add_point(const Matching* task, int p, const JointValues* values, Co
   }
   difference(task->goal[p], x, x);
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < task->joints; ++i) jacobian->of[i][3 * p + k] = columns[i][k];
-    off[3 * p + k] = x[k];
+    for (int i = 0; i < task->joints; ++i) jacobian->of[i].of[3 * p + k] = columns[i][k];
+    off->of[3 * p + k] = x[k];
   }
 }
 
-static void point_columns(const Matching* task, const JointValues* values, Columns* jacobian, double* off) {
-  jacobian->count = task->joints;
-  jacobian->rows = 3 * task->points + task->joints;
-  memset(jacobian->of, 0, sizeof jacobian->of);
+static int rows_of_points(const Matching* task) { return 3 * task->points + task->joints; }
+
+static void point_columns(const Matching* task, const JointValues* values, Columns* jacobian, Vector* off) {
+  const Columns no_columns = {{{{0}}}};
+  const Vector nothing = {{0}};
+  *jacobian = no_columns;
+  *off = nothing;
   for (int p = 0; p < task->points; ++p) add_point(task, p, values, jacobian, off);
 }
 
-static Steps step_of_points(const Matching* task, const JointValues* values, double lambda, double nothing,
-                            const Held* held) {
+static Vector step_of_points(const Matching* task, const JointValues* values, double lambda, double nothing,
+                             const Held* held) {
+  const Vector no_column = {{0}};
   Columns jacobian;
-  double off[most_rows] = {0};
-  point_columns(task, values, &jacobian, off);
+  Vector off;
+  point_columns(task, values, &jacobian, &off);
   for (int i = 0; i < task->joints; ++i) {
-    jacobian.of[i][3 * task->points + i] = lambda;
-    if (held->is[i]) memset(jacobian.of[i], 0, sizeof jacobian.of[i]);
+    jacobian.of[i].of[3 * task->points + i] = lambda;
+    if (held->of[i]) jacobian.of[i] = no_column;
   }
-  return least_squares(&jacobian, off, nothing);
+  return least_squares(task->joints, rows_of_points(task), &jacobian, &off, nothing);
 }
 
 static Dependent idle_joints_at(const Matching* task, const JointValues* values) {
   Columns jacobian;
-  double off[most_rows] = {0};
-  point_columns(task, values, &jacobian, off);
-  return dependent(&jacobian);
+  Vector off;
+  point_columns(task, values, &jacobian, &off);
+  return dependent(task->joints, rows_of_points(task), jacobian, tolerance_idle);
 }
 
 /// Brings joint values to where they carry the points to their goals, by damped Newton steps.
@@ -83,9 +86,9 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   for (int step = 0; step < most_steps && waited < most_waits && least > enough && may_step(budget); ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= most_waits / 2 && least > tolerance_stuck * enough;
-    const Steps by =
+    const Vector by =
         step_of_points(task, &now, tolerance_damping * sqrt(error), stuck ? tolerance_noise * DBL_EPSILON : half_the_digits, held);
-    for (int i = 0; i < task->joints; ++i) advance(task, i, by.by[i], &now);
+    for (int i = 0; i < task->joints; ++i) advance(task, i, by.of[i], &now);
     error = miss(task, &now);
     ++waited;
     if (!(error < least)) continue;
@@ -105,7 +108,7 @@ static bool points_go_on(const Matching* task, const JointValues* values, double
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
     advance(task, idle.least, (double)side * little, &moved_on);
-    if (polish_points(task, allowed, &moved_on, budget, &idle.columns)) return true;
+    if (polish_points(task, allowed, &moved_on, budget, &idle.is)) return true;
   }
   return false;
 }
@@ -132,17 +135,17 @@ static bool improve(const Matching* task, JointValues* values, Budget* budget) {
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return polish_points(task, 0, values, budget, &nothing_held);
   const double least = miss(task, values);
-  Steps by = step_of_points(task, values, tolerance_damping_along * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
+  Vector by = step_of_points(task, values, tolerance_damping_along * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
   for (int attempt = 0; attempt < 4; ++attempt) {
     JointValues moved_on = *values;
     for (int i = 0; i < task->joints; ++i) {
-      if (!idle.columns.is[i]) continue;
+      if (!idle.is.of[i]) continue;
       const double most = length_of_arc(task, i, tolerance_longest_along);
-      by.by[i] = clamped(by.by[i], -most, most);
-      advance(task, i, by.by[i], &moved_on);
-      by.by[i] = by.by[i] / 4;
+      by.of[i] = clamped(by.of[i], -most, most);
+      advance(task, i, by.of[i], &moved_on);
+      by.of[i] = by.of[i] / 4;
     }
-    polish_points(task, 0, &moved_on, budget, &idle.columns);
+    polish_points(task, 0, &moved_on, budget, &idle.is);
     if (miss(task, &moved_on) < least) {
       *values = moved_on;
       return true;
@@ -168,7 +171,7 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
   const Dependent idle = idle_joints_at(task, a);
   if (idle.least == task->joints) return false;
   JointValues place = place_between(task->joints, a, b);
-  return polish_points(task, 0, &place, budget, &idle.columns) && lies_between(task->joints, &place, a, b);
+  return polish_points(task, 0, &place, budget, &idle.is) && lies_between(task->joints, &place, a, b);
 }
 
 /// Branches that have led to a solution; that came near one and have none; that have been left to a pass that
@@ -233,7 +236,7 @@ static void reopen_visit(Visited* visited, int label, bool continuum) {
 static bool is_visited(Visited* visited, const Matching* task, const JointValues* values) {
   for (int k = 0; k < visited->known.count; ++k) {
     const JointValues* other = &visited->known.of[k];
-    const double square = values_apart(task->joints, other, values);
+    const double square = distance_square(task->joints, other, values);
     if (square < tolerance_same_rows * DBL_EPSILON) return true;
     if (square < tolerance_may_be_joined && points_are_joined(task, other, values, &visited->budget)) return true;
   }

@@ -34,7 +34,7 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
                           bool continuum, Solutions* found) {
   if (found->count == kept->capacity) return;
   for (int k = 0; k < found->count; ++k)
-    if (!are_apart(kept->task.joints, &kept->known[k], values)) return;
+    if (are_same(kept->task.joints, &kept->known[k], values)) return;
   // Two places of one continuum have its branch; each row has its own.
   for (int k = 0; k < found->count; ++k) {
     if (found->rows[k].branch != branch) continue;
@@ -82,7 +82,7 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round,
   reach(task, &values, &at);
   JointValues* start = &kept->starts[from->branch % kept->capacity];
   const bool next_to_continuum =
-      from->continuum && round > 0 && values_apart(task->joints, start, &values) < same * same;
+      from->continuum && round > 0 && distance_square(task->joints, start, &values) < same * same;
   if (round == 0) *start = values;
   if (next_to_continuum && !go_along_idle(kept, round, &values, &at)) return;
   const double off = at.error / task->size_square;

@@ -64,7 +64,7 @@ class Idling {
     Values place = place_between(a, b);
     Reached there;
     if (!polish(task_, quick, place, there, budget_, idle.is)) return false;
-    return is_between(place, a, b);
+    return lies_between(place, a, b);
   }
 
  private:

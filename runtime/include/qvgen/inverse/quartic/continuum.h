@@ -56,7 +56,7 @@ class Idling {
     if (idle.least == joints) return false;
     Values place = place_between(a, b);
     if (!quartic::polish(task_, Scalar(0), place, budget_, idle.is)) return false;
-    return is_between(place, a, b);
+    return lies_between(place, a, b);
   }
 
  private:
