@@ -3,13 +3,13 @@
 static inline double clamped(double x, double low, double high) { return smaller(larger(x, low), high); }
 
 /// Place to which a point of the zero pose has moved.
-static void carried(const Matching* task, const JointValues* values, int point, double x[3]) {
+static void carried(const PointMatching* task, const JointValues* values, int point, double x[3]) {
   memcpy(x, task->start[point], sizeof task->start[point]);
   for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
 }
 
 /// Sum of the squared distances between the points and their goals.
-static double miss(const Matching* task, const JointValues* values) {
+static double miss(const PointMatching* task, const JointValues* values) {
   double sum = 0;
   for (int p = 0; p < task->points; ++p) {
     double x[3];
@@ -20,7 +20,7 @@ static double miss(const Matching* task, const JointValues* values) {
   return sum;
 }
 
-static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian, Vector* off) {
+static void add_point(const PointMatching* task, int p, const JointValues* values, Columns* jacobian, Vector* off) {
   double columns[most_joints][3], x[3];
   memcpy(x, task->start[p], sizeof x);
   for (int i = task->joints; i-- > 0;) {
@@ -42,9 +42,9 @@ static void add_point(const Matching* task, int p, const JointValues* values, Co
   }
 }
 
-static int rows_of_points(const Matching* task) { return 3 * task->points + task->joints; }
+static int rows_of_points(const PointMatching* task) { return 3 * task->points + task->joints; }
 
-static void point_columns(const Matching* task, const JointValues* values, Columns* jacobian, Vector* off) {
+static void point_columns(const PointMatching* task, const JointValues* values, Columns* jacobian, Vector* off) {
   const Columns no_columns = {{{{0}}}};
   const Vector nothing = {{0}};
   *jacobian = no_columns;
@@ -52,7 +52,7 @@ static void point_columns(const Matching* task, const JointValues* values, Colum
   for (int p = 0; p < task->points; ++p) add_point(task, p, values, jacobian, off);
 }
 
-static Vector step_of_points(const Matching* task, const JointValues* values, double lambda, double nothing,
+static Vector step_of_points(const PointMatching* task, const JointValues* values, double lambda, double nothing,
                              const Held* held) {
   const Vector no_column = {{0}};
   Columns jacobian;
@@ -65,7 +65,7 @@ static Vector step_of_points(const Matching* task, const JointValues* values, do
   return least_squares(task->joints, rows_of_points(task), &jacobian, &off, nothing);
 }
 
-static Dependent idle_joints_at(const Matching* task, const JointValues* values) {
+static Dependent idle_joints_at(const PointMatching* task, const JointValues* values) {
   Columns jacobian;
   Vector off;
   point_columns(task, values, &jacobian, &off);
@@ -73,7 +73,7 @@ static Dependent idle_joints_at(const Matching* task, const JointValues* values)
 }
 
 /// Brings joint values to where they carry the points to their goals, by damped Newton steps.
-static bool polish_points(const Matching* task, double allowed, JointValues* values, Budget* budget, const Held* held) {
+static bool polish_points(const PointMatching* task, double allowed, JointValues* values, Budget* budget, const Held* held) {
   const int most_steps = 60;
   const int most_waits = 6;
   normalise(task, values);
@@ -100,7 +100,7 @@ static bool polish_points(const Matching* task, double allowed, JointValues* val
   return least <= share * share * task->size_square;
 }
 
-static bool points_go_on(const Matching* task, const JointValues* values, double allowed, Budget* budget) {
+static bool points_go_on(const PointMatching* task, const JointValues* values, double allowed, Budget* budget) {
   if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return false;
@@ -113,24 +113,24 @@ static bool points_go_on(const Matching* task, const JointValues* values, double
   return false;
 }
 
-static bool is_continuum_of_points(const Matching* task, const JointValues* values, Budget* budget) {
+static bool is_continuum_of_points(const PointMatching* task, const JointValues* values, Budget* budget) {
   return points_go_on(task, values, tolerance_noise * DBL_EPSILON, budget);
 }
 
 /// True if values that miss the goals by very little can be moved on and miss them by not much more.
-static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
+static bool is_nearly_continuum(const PointMatching* task, const JointValues* values, Budget* budget) {
   const double share = miss(task, values) / task->size_square;
   return share < tolerance_nearly_on_continuum && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
 /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely meet what is
 /// missing then is a hundred times as much.
-static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
+static bool is_next_to_continuum(const PointMatching* task, const JointValues* values, Budget* budget) {
   return points_go_on(task, values, tolerance_next_to_continuum, budget);
 }
 
 /// One step of `move_on`, shorter if it does not get nearer; false if none does.
-static bool improve(const Matching* task, JointValues* values, Budget* budget) {
+static bool improve(const PointMatching* task, JointValues* values, Budget* budget) {
   if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, values);
   if (idle.least == task->joints) return polish_points(task, 0, values, budget, &nothing_held);
@@ -156,7 +156,7 @@ static bool improve(const Matching* task, JointValues* values, Budget* budget) {
 
 /// Moves values that are nearly on a continuum along it, to where it meets the goals. Returns whether it
 /// does.
-static bool move_on(const Matching* task, JointValues* values, Budget* budget) {
+static bool move_on(const PointMatching* task, JointValues* values, Budget* budget) {
   const int rounds = 24;
   const double enough = tolerance_stuck * DBL_EPSILON * DBL_EPSILON * task->size_square;
   for (int round = 0; round < rounds; ++round) {
@@ -166,7 +166,7 @@ static bool move_on(const Matching* task, JointValues* values, Budget* budget) {
   return false;
 }
 
-static bool points_are_joined(const Matching* task, const JointValues* a, const JointValues* b, Budget* budget) {
+static bool points_are_joined(const PointMatching* task, const JointValues* a, const JointValues* b, Budget* budget) {
   if (!may_step(budget)) return false;
   const Dependent idle = idle_joints_at(task, a);
   if (idle.least == task->joints) return false;
@@ -233,7 +233,7 @@ static void reopen_visit(Visited* visited, int label, bool continuum) {
   --visited->known.count;
 }
 
-static bool is_visited(Visited* visited, const Matching* task, const JointValues* values) {
+static bool is_visited(Visited* visited, const PointMatching* task, const JointValues* values) {
   for (int k = 0; k < visited->known.count; ++k) {
     const JointValues* other = &visited->known.of[k];
     const double square = distance_square(task->joints, other, values);
@@ -245,7 +245,7 @@ static bool is_visited(Visited* visited, const Matching* task, const JointValues
 
 /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
 /// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
-static bool settle_visit(Visited* visited, int label, const Matching* task, const Boundary* boundary,
+static bool settle_visit(Visited* visited, int label, const PointMatching* task, const Boundary* boundary,
                          const JointValues* seed, JointValues* values, Branch* branch) {
   Budget* budget = &visited->budget;
   if (visited->again && (!branch->exists || is_known(&visited->known, task->joints, values))) return false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/blocks/runtime/runtime.h"
 
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -37,8 +39,10 @@ class HeaderParser : public Parser {
     return sized(type, sizes);
   }
 
-  /// The name of a reference is what it stands for.
+  /// The name of a reference is what it stands for, that of a size its field.
   Expression variable(const std::string& name) override {
+    if (const auto field = field_of_size(name)) return *field;
+    if (in_size_ && !is_local(name)) return made(Kind::name, name, {}, basic(Type::Kind::integer));
     Expression result = Parser::variable(name);
     if (!result.type->reference) return result;
     const TypeRef type = result.type->of;
@@ -98,12 +102,39 @@ class HeaderParser : public Parser {
  private:
   using Sizes = std::map<std::string, Expression>;
 
-  /// A size between the brackets of a type: a name, which may be declared later, or a sum.
+  /// A size between the brackets of a type: a sum of what may be declared later.
   Expression size() {
-    if (!is(",", 1) && !is(">", 1)) return binary(precedence("+"));
-    const Token token = take();
-    const auto kind = token.kind == Token::Kind::number ? Kind::integer : Kind::name;
-    return made(kind, token.text, {}, basic(Type::Kind::integer));
+    in_size_ = true;
+    Expression result = binary(precedence("+"));
+    in_size_ = false;
+    return result;
+  }
+
+  /// A size that a parameter has as its field, if one does.
+  [[nodiscard]] std::optional<Expression> field_of_size(const std::string& name) const {
+    if (is_local(name)) return std::nullopt;
+    for (const auto& scope : locals_)
+      for (const auto& [variable, type] : scope) {
+        const bool is_pointer = type->kind == Type::Kind::pointer;
+        const TypeRef object = is_pointer ? type->of : type;
+        if (object->kind != Type::Kind::structure || known_.with_fields.count(object->name) == 0) continue;
+        const std::vector<std::string>& fields = known_.sized.at(object->name);
+        if (std::find(fields.begin(), fields.end(), name) == fields.end()) continue;
+        Expression place = made(Kind::name, variable, {}, type);
+        if (is_pointer) place = made(Kind::dereference, "", {std::move(place)}, object);
+        return field_of(std::move(place), name);
+      }
+    return std::nullopt;
+  }
+
+  /// A size as an expression of the function that is read.
+  [[nodiscard]] Expression declared(Expression size) const {
+    if (size.kind == Kind::name) {
+      if (const auto field = field_of_size(size.text)) return *field;
+      if (!is_local(size.text)) fail("the size " + size.text + " is not declared");
+    }
+    for (Expression& each : size.operands) each = declared(std::move(each));
+    return size;
   }
 
   TypeRef sized(const TypeRef& type, Expressions sizes) const {
@@ -177,7 +208,7 @@ class HeaderParser : public Parser {
       const auto known = sizes.find(function.parameters[i].name);
       if (known == sizes.end())
         fail("no argument says the " + function.parameters[i].name + " of " + function.name);
-      all.push_back(known->second);
+      all.push_back(declared(known->second));
     }
     list.insert(list.begin(), all.begin(), all.end());
   }
@@ -254,11 +285,26 @@ class HeaderParser : public Parser {
 
   using Parser::made;
   Known& known_;
+  bool in_size_ = false;  ///< between the brackets of a type
 };
 
 }  // namespace
 
-void Reader::read_c(const File& file) { Parser(file, scope_).run(); }
+void Reader::read_c(const File& file) {
+  const std::vector<std::string>& names = scope_.unit.structure_order;
+  const std::size_t known = names.size();
+  Parser(file, scope_).run();
+  for (std::size_t i = known; i < names.size(); ++i) {
+    std::vector<std::string> sizes;
+    for (const Field& each : scope_.unit.structures.at(names[i]).fields) {
+      if (scope_.numbers.count("most_" + each.name) == 0) break;
+      sizes.push_back(each.name);
+    }
+    if (sizes.empty()) continue;
+    known_.with_fields.insert(names[i]);
+    known_.sized[names[i]] = sizes;
+  }
+}
 
 std::string Reader::in_c(const File& header) {
   const Unit& unit = scope_.unit;

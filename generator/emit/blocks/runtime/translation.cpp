@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "emit/blocks/runtime/brackets.h"
 
@@ -16,8 +17,10 @@ bool is_capital(const std::string& name) { return std::isupper(static_cast<unsig
 }  // namespace
 
 std::string name_in_c(const std::string& name) {
-  if (name == "abs" || name == "magnitude") return "fabs";
-  return name == "angle" ? "angle_of" : name;
+  static const std::map<std::string, std::string> all{
+      {"abs", "fabs"}, {"magnitude", "fabs"}, {"angle", "angle_of"}, {"pass", "may_pass"}, {"step", "may_step"}};
+  const auto known = all.find(name);
+  return known != all.end() ? known->second : name;
 }
 
 const std::string& Translation::text(std::size_t at) const { return in_[std::min(at, in_.size() - 1)].text; }
@@ -65,7 +68,7 @@ void Translation::word() {
   if (is("static_cast") || is("std") || is("inline") || is("constexpr")) return qualifier();
   if (is(":", 1) && is(":", 2)) return leave_out(at_ + 3);
   if (is("Scalar") || (is_capital(token.text) && is("<", 1) && is("Scalar", 2))) return type();
-  if (is("Boundary") || is_sized()) return type();
+  if (is("Boundary") || is("Patience") || is_sized()) return type();
   named();
 }
 

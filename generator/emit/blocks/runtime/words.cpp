@@ -230,6 +230,16 @@ class Words : private Translation {
     in_body_ = false;
   }
 
+  /// True if a parameter in front of a place has a size as its field.
+  [[nodiscard]] bool is_field(const std::string& size, std::size_t end) const {
+    for (std::size_t i = at_; i < end; ++i) {
+      if (known_.with_fields.count(text(i)) == 0) continue;
+      const std::vector<std::string>& fields = known_.sized.at(text(i));
+      if (std::find(fields.begin(), fields.end(), size) != fields.end()) return true;
+    }
+    return false;
+  }
+
   /// Parameters without their usual values; pi is a constant.
   void parameters() {
     const std::size_t end = closing(at_);
@@ -240,6 +250,7 @@ class Words : private Translation {
       put(flag_, Kind::name);
     }
     for (const std::string& size : sizes_) {
+      if (is_field(size, end)) continue;
       if (out_.size() > before) put(",");
       put("int", Kind::name);
       put(size, Kind::name);

@@ -11,7 +11,7 @@
 // (methods.h). Where the namespace `polynomial` has a function, it is the one for doubles: C has no other.
 //
 // Sizes among the parameters of a template are known when C++ compiles, and in C when it runs: they are whole
-// numbers in front of the parameters. A named array becomes a struct with room for `most_SIZE` entries, a
+// numbers in front of the parameters, but for those that a parameter has as its fields. A named array becomes a struct with room for `most_SIZE` entries, a
 // constant of the robot's C. Types keep their sizes, by which the parser finds those of a call:
 //
 //     template <typename Scalar, std::size_t rows>                    typedef struct Vector {
@@ -42,6 +42,7 @@ struct Known {
   std::map<std::string, std::vector<std::string>> sized;  ///< by struct: the sizes of its template
   std::set<std::string> arrays;                           ///< structs that stand for arrays
   std::map<TypeRef, Expressions> sizes;                   ///< by type as it is written: its sizes
+  std::set<std::string> with_fields;                      ///< structs of C that have their sizes as fields
 };
 
 /// Returns the name in C of a function of which C++ has several, by the number of its parameters and the type
