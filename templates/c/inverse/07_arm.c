@@ -9,10 +9,6 @@ static inline double without_turns(double difference) {
 
 static const Held nothing_held = {{false}};
 
-static double length_of_arc(const PointMatching* task, int joint, double angle) {
-  return task->arm[joint].revolute ? angle : angle * sqrt(task->size_square);
-}
-
 static Patience patience(double allowed) {
   const Patience usual = {allowed, 3, 0.5};
   return usual;
