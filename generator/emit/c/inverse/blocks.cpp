@@ -36,7 +36,7 @@ void add_header(const std::string& name, std::set<std::string>& known, Reader& r
   const auto header = builtin_templates().find("runtime/" + name), own = builtin_templates().find(in_place);
   const bool is_read = header != builtin_templates().end();
   if (!is_read && own == builtin_templates().end()) return;
-  static const std::regex include(R"(#include <qvgen/inverse/([a-z_]+\.h)>\n)");
+  static const std::regex include(R"(#include <qvgen/inverse/([a-z_/]+\.h)>\n)");
   const std::string& text = (is_read ? header : own)->second;
   for (std::sregex_iterator each(text.begin(), text.end(), include), end; each != end; ++each)
     add_header((*each)[1], known, reader, result);
