@@ -48,8 +48,8 @@ Vector<Scalar, joints> newton_step(const PointMatching<Scalar, joints, points>& 
                                    const Reached<Scalar, joints, points>& at, const Scalar& lambda,
                                    const Scalar& nothing, const Held<joints>& held) {
   const bool near = at.error < Scalar(tolerance::undamped) * task.size_square;
-  return near ? undamped_step(at, at.off, nothing, held)
-              : damped_step(at, lambda, nothing, held);
+  if (near) return undamped_step(at, at.off, nothing, held);
+  return damped_step(at, lambda, nothing, held);
 }
 
 /// The step of all joints in which one goes so far and the others make up for what it does, to first order.
@@ -119,7 +119,8 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
   const Scalar rounding = epsilon<Scalar>() * epsilon<Scalar>() * task.size_square;
   const Scalar half_the_digits = sqrt(epsilon<Scalar>());
   if (!budget.step()) {
-    best = {};
+    best.jacobian = {};
+    best.off = {};
     best.error = task.size_square;  // far off
     return false;
   }
