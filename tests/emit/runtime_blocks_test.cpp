@@ -300,11 +300,12 @@ static double all_of(int columns, int rows, const Columns* a) {
 
 TEST(RuntimeBlocks, ASizeThatNothingSaysIsRefusedWithItsPlace) {
   const auto error_of = [](const std::string& parameter, const std::string& statement) {
-    return error_in(sums + "template <typename Scalar, std::size_t rows>\nScalar f(const " + parameter + "& x) {\n  " +
-                    statement + "\n}\n");
+    return error_in(sums + "template <typename Scalar, std::size_t rows>\nScalar f(const " + parameter +
+                    "& x) {\n  " + statement + "\n}\n");
   };
   EXPECT_THAT(error_of("Vector<Scalar, rows>", "return sum(x);"), HasSubstr("no error"));
-  EXPECT_THAT(error_of("Scalar", "return sum(x);"), HasSubstr("header.h:15: no argument says the rows of sum"));
+  EXPECT_THAT(error_of("Scalar", "return sum(x);"),
+              HasSubstr("header.h:15: no argument says the rows of sum"));
   EXPECT_THAT(error_of("Columns<Scalar, rows>", "return sum(x[0]);"),
               HasSubstr("header.h:14: another number of sizes than Columns has"));
   EXPECT_THAT(error_of("Vector<Scalar, 2 * rows>", "return sum(x);"), HasSubstr("no error"));

@@ -1,4 +1,4 @@
-// What Newton's steps have in common besides what headers say.
+// Helpers of Newton's steps besides what headers of the C++ library say.
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
 static inline double without_turns(double difference) {

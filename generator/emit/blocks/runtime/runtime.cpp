@@ -73,7 +73,8 @@ class HeaderParser : public Parser {
 
   /// An entry, of a struct that stands for an array too.
   Expression entry_of(Expression object, Expression index) override {
-    const bool is_named = object.type->kind == Type::Kind::structure && known_.arrays.count(object.type->name) > 0;
+    const bool is_named =
+        object.type->kind == Type::Kind::structure && known_.arrays.count(object.type->name) > 0;
     if (is_named) object = field_with_sizes(std::move(object), "of");
     return Parser::entry_of(std::move(object), std::move(index));
   }
@@ -170,8 +171,7 @@ class HeaderParser : public Parser {
 
   /// A type whose sizes are said by those of what it is a part or the result of.
   [[nodiscard]] TypeRef with_sizes(const TypeRef& type, const Sizes& sizes) const {
-    if (type->kind == Type::Kind::array)
-      return array_of(with_sizes(type->of, sizes), type->size, type->name);
+    if (type->kind == Type::Kind::array) return array_of(with_sizes(type->of, sizes), type->size, type->name);
     const auto written = known_.sizes.find(type);
     if (written == known_.sizes.end()) return type;
     Expressions own = written->second;

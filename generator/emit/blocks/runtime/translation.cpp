@@ -17,8 +17,11 @@ bool is_capital(const std::string& name) { return std::isupper(static_cast<unsig
 }  // namespace
 
 std::string name_in_c(const std::string& name) {
-  static const std::map<std::string, std::string> all{
-      {"abs", "fabs"}, {"magnitude", "fabs"}, {"angle", "angle_of"}, {"pass", "may_pass"}, {"step", "may_step"}};
+  static const std::map<std::string, std::string> all{{"abs", "fabs"},
+                                                      {"magnitude", "fabs"},
+                                                      {"angle", "angle_of"},
+                                                      {"pass", "may_pass"},
+                                                      {"step", "may_step"}};
   const auto known = all.find(name);
   return known != all.end() ? known->second : name;
 }

@@ -16,8 +16,8 @@ using blocks::runtime::Reader;
 /// The template that headers of the runtime call.
 constexpr const char* before = "c/inverse/01_rotor.c";
 
-/// What a robot's C says in front of the blocks: sizes of arrays for which it has room, of which only the names
-/// are printed, and the struct that its header has.
+/// Text in front of the blocks, as a robot's C has it: sizes of arrays for which it has room, of which only
+/// the names are printed, and the struct that its header has.
 constexpr const char* robot = R"(
 enum { most_joints = 1, most_rows = 1, most_points = 3 };
 typedef struct Effort {

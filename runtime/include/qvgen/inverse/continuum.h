@@ -14,8 +14,7 @@ class Idling {
   using Values = JointValues<Scalar, joints>;
   using Reached = inverse::Reached<Scalar, joints, points>;
 
-  Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget)
-      : task_(task), budget_(budget) {}
+  Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget) : task_(task), budget_(budget) {}
 
   [[nodiscard]] bool is_continuum(const Values& values, const Reached& at) const {
     return inverse::is_continuum(task_, values, at, budget_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places to which joint values carry points, and their derivatives by each joint. Generated C has its own form of
-// these, templates/c/headers/derivatives.c: three coordinates there, four here, which registers hold.
+// Places to which joint values carry points, and their derivatives by each joint. Generated C has its own
+// form of these, templates/c/headers/derivatives.c: three coordinates there, four here, which registers hold.
 #pragma once
 
 #include <cmath>

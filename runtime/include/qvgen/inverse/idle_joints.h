@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Joint values in whose neighbourhood a joint is idle: what it does to the points the others can make up for. They
-// then lie on a continuum of solutions, near one, or where two solutions meet. Generated C has these functions from
-// this header (generator/emit/blocks/runtime).
+// Joint values in whose neighbourhood a joint is idle: what it does to the points the others can make up for.
+// They then lie on a continuum of solutions, near one, or where two solutions meet. Generated C has these
+// functions from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <cmath>
@@ -29,8 +29,8 @@ void move_along(const PointMatching<Scalar, joints, points>& task, const Reached
   for (std::size_t i = 0; i < joints; ++i) advance(task, i, others[i], values);
 }
 
-/// True if values that reach the goals, moved on a little, still miss them by no more than is allowed. Rejects
-/// ways that are off to first order already, with a wide margin: the way may be curved.
+/// True if values that reach the goals, moved on a little, still miss them by no more than is allowed.
+/// Rejects ways that are off to first order already, with a wide margin: the way may be curved.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool goes_on(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
              const Reached<Scalar, joints, points>& at, const Scalar& allowed, Budget& budget) {
@@ -72,8 +72,8 @@ bool leads_on_beside(const PointMatching<Scalar, joints, points>& task,
 }
 
 /// True if values that reach the goals can be moved on a little and still reach them, to some more rounding:
-/// the pose itself may be off the continuum by as much as these values are allowed to miss. Where two solutions
-/// merely meet, what is missing then is as the square of the little.
+/// the pose itself may be off the continuum by as much as these values are allowed to miss. Where two
+/// solutions merely meet, what is missing then is as the square of the little.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool is_continuum(const PointMatching<Scalar, joints, points>& task,
                   const JointValues<Scalar, joints>& values, const Reached<Scalar, joints, points>& at,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of joints as pairs, a turn's cosine and sine, a slide's length in the cosine's place: how far two are
-// apart, and what lies between them. Generated C has these functions from this header
+// Values of joints as pairs, a turn's cosine and sine, a slide's length in the cosine's place: how far two
+// are apart, and what lies between them. Generated C has these functions from this header
 // (generator/emit/blocks/runtime).
 #pragma once
 

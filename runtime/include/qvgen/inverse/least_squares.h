@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Least squares of few columns by modified Gram-Schmidt, and the columns that depend on the others. Generated C
-// has these functions from this header (generator/emit/blocks/runtime).
+// Least squares of few columns by modified Gram-Schmidt, and the columns that depend on the others. Generated
+// C has these functions from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Newton's steps from joint values to where these carry the points to their goals. Generated C has these functions
-// from this header (generator/emit/blocks/runtime).
+// Newton's steps from joint values to where these carry the points to their goals. Generated C has these
+// functions from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Newton's steps are asked for: joints that carry points to their goals.
+// Task of Newton's steps: joints that carry points to their goals.
 #pragma once
 
 #include <qvgen/inverse/screw.h>

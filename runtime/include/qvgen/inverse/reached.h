@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places to which joint values carry points, with derivatives by each joint: see derivatives.h. Generated C has
-// the struct from this header (generator/emit/blocks/runtime).
+// Places to which joint values carry points, with derivatives by each joint: see derivatives.h. Generated C
+// has the struct from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <qvgen/inverse/least_squares.h>

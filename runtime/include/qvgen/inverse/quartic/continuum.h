@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Joint values of arms with a quartic in whose neighbourhood a joint is idle: what it does to the points the others
-// can make up for. They then lie on a continuum of solutions, near one, or where two solutions meet. Generated C
-// has these functions from this header (generator/emit/blocks/runtime).
+// Joint values of arms with a quartic in whose neighbourhood a joint is idle: what it does to the points the
+// others can make up for. They then lie on a continuum of solutions, near one, or where two solutions meet.
+// Generated C has these functions from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace qvgen::inverse::quartic {
 
 /// True if values, moved on a little, miss the goals by no more than is allowed.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool points_go_on(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
-                  const Scalar& allowed, Budget& budget) {
+bool points_go_on(const PointMatching<Scalar, joints, points>& task,
+                  const JointValues<Scalar, joints>& values, const Scalar& allowed, Budget& budget) {
   if (!budget.step()) return false;
   const polishing::Dependent<Scalar, joints> idle = idle_joints_at(task, values);
   if (idle.least == joints) return false;
@@ -31,15 +31,15 @@ bool points_go_on(const PointMatching<Scalar, joints, points>& task, const Joint
 /// the pose itself may be off the continuum by as much as these values are allowed to miss. Where two
 /// solutions merely meet, what is missing then is as the square of the little.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool is_continuum_of_points(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
-                            Budget& budget) {
+bool is_continuum_of_points(const PointMatching<Scalar, joints, points>& task,
+                            const JointValues<Scalar, joints>& values, Budget& budget) {
   return points_go_on(task, values, Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()), budget);
 }
 
 /// True if values that miss the goals by very little can be moved on and miss them by not much more.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool is_nearly_continuum(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
-                         Budget& budget) {
+bool is_nearly_continuum(const PointMatching<Scalar, joints, points>& task,
+                         const JointValues<Scalar, joints>& values, Budget& budget) {
   using std::sqrt;
   const Scalar share = miss(task, values) / task.size_square;
   return share < Scalar(tolerance::nearly_on_continuum) &&
@@ -49,8 +49,8 @@ bool is_nearly_continuum(const PointMatching<Scalar, joints, points>& task, cons
 /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely
 /// meet what is missing then is a hundred times as much.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool is_next_to_continuum(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
-                          Budget& budget) {
+bool is_next_to_continuum(const PointMatching<Scalar, joints, points>& task,
+                          const JointValues<Scalar, joints>& values, Budget& budget) {
   return points_go_on(task, values, Scalar(tolerance::next_to_continuum), budget);
 }
 
@@ -102,8 +102,9 @@ bool move_on(const PointMatching<Scalar, joints, points>& task, JointValues<Scal
 
 /// True if between two values that reach the goals, near each other, there are such values too.
 template <typename Scalar, std::size_t joints, std::size_t points>
-bool points_are_joined(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& a,
-                       const JointValues<Scalar, joints>& b, Budget& budget) {
+bool points_are_joined(const PointMatching<Scalar, joints, points>& task,
+                       const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b,
+                       Budget& budget) {
   if (!budget.step()) return false;
   const polishing::Dependent<Scalar, joints> idle = idle_joints_at(task, a);
   if (idle.least == joints) return false;

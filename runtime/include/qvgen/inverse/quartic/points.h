@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points that joint values carry, with derivatives, for arms with a quartic. Generated C has its own form of these,
-// templates/c/headers/quartic/points.c.
+// Points that joint values carry, with derivatives, for arms with a quartic. Generated C has its own form of
+// these, templates/c/headers/quartic/points.c.
 #pragma once
 
 #include <qvgen/inverse/joint_values.h>
@@ -22,7 +22,8 @@ Scalar miss(const PointMatching<Scalar, joints, points>& task, const JointValues
   return sum;
 }
 
-/// Derivatives of the points' coordinates by each joint, and what these are off. Further rows stay as they are.
+/// Derivatives of the points' coordinates by each joint, and what these are off. Further rows stay as they
+/// are.
 template <typename Scalar, std::size_t joints, std::size_t points>
 void add_points(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
                 polishing::Columns<Scalar, joints, 3 * points + joints>& jacobian,

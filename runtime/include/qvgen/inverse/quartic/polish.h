@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried: see care.h.
-// Generated C has these functions from this header (generator/emit/blocks/runtime).
+// Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried: see
+// care.h. Generated C has these functions from this header (generator/emit/blocks/runtime).
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace qvgen::inverse::quartic {
 
-/// Returns the least-squares step of J step = goal - points and λ step = 0, with some joints held; `nothing` as
-/// for `least_squares`.
+/// Returns the least-squares step of J step = goal - points and λ step = 0, with some joints held; `nothing`
+/// as for `least_squares`.
 template <typename Scalar, std::size_t joints, std::size_t points>
 polishing::Vector<Scalar, joints> step_of_points(const PointMatching<Scalar, joints, points>& task,
                                                  const JointValues<Scalar, joints>& values,
@@ -49,8 +49,7 @@ polishing::Dependent<Scalar, joints> idle_joints_at(const PointMatching<Scalar, 
 /// lasts. Held joints keep their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool polish_points(const PointMatching<Scalar, joints, points>& task, const Scalar& allowed,
-                   JointValues<Scalar, joints>& values, Budget& budget,
-                   const Held<joints>& held) {
+                   JointValues<Scalar, joints>& values, Budget& budget, const Held<joints>& held) {
   using std::sqrt;
   const int most_steps = 60;
   const int patience = 6;

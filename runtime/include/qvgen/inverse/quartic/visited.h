@@ -78,8 +78,8 @@ class Visited {
     // Near a continuum two branches may have been led to the one solution and left another; and so may a
     // choice lead.
     const bool astray = strays || marks_.left[at] || marks_.shared[at];
-    marks_.shared[at] = marks_.shared[at] ||
-                        (known && !astray && !marks_.turned_back[at] && is_next_to_continuum(task, values, budget_));
+    marks_.shared[at] = marks_.shared[at] || (known && !astray && !marks_.turned_back[at] &&
+                                              is_next_to_continuum(task, values, budget_));
     marks_.settled[at] = !(known && (astray || marks_.shared[at]));
     if (known || !has_room()) return false;
     rows_[count_++] = values;
