@@ -37,6 +37,10 @@ static Rotor product(Rotor a, Rotor b) { return rotor(a.cosine * b.cosine, a.sin
 static void doubt(Branch* branch, bool condition) { branch->unsure = branch->unsure || condition; }
 static const double pi = 3;
 enum { most_rows = 1, most_columns = 1 };
+typedef struct Task {
+  int rows;
+  double of[most_rows];
+} Task;
 )";
 
 std::string in_c(const std::string& header) {
@@ -296,6 +300,20 @@ static double all_of(int columns, int rows, const Columns* a) {
 }
 
 )");
+}
+
+/// A struct of C may have its sizes as fields: who gets it needs no argument more.
+TEST(RuntimeBlocks, ASizeThatIsAFieldIsNoArgument) {
+  const std::string text = in_c(sums + R"(
+constexpr std::size_t twice(std::size_t rows) { return 2 * rows; }
+template <typename Scalar, std::size_t rows>
+Scalar all_of(const Task<Scalar, rows>& task, const Vector<Scalar, rows>& v, const Vector<Scalar, twice(rows)>& w) {
+  return Scalar(rows) * task.of[rows - 1] + sum(v) + sum(w);
+}
+)");
+  EXPECT_THAT(text, HasSubstr("double all_of(const Task* task, const Vector* v, const Vector* w) {\n"
+                              "  return task->rows * task->of[task->rows - 1] + sum(task->rows, v) + "
+                              "sum(twice(task->rows), w);\n}"));
 }
 
 TEST(RuntimeBlocks, ASizeThatNothingSaysIsRefusedWithItsPlace) {

@@ -17,12 +17,11 @@ template <typename Scalar, std::size_t joints, std::size_t points>
 Vector<Scalar, joints> undamped_step(const Reached<Scalar, joints, points>& at,
                                      const Vector<Scalar, rows_by_points(points)>& off, const Scalar& nothing,
                                      const Held<joints>& held) {
-  Columns<Scalar, joints, rows_by_points(points)> jacobian{};
+  const Vector<Scalar, rows_by_points(points)> none{};
+  Columns<Scalar, joints, rows_by_points(points)> jacobian = at.jacobian;
   Vector<Scalar, rows_by_points(points)> left = off;
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (held[i]) continue;
-    for (std::size_t k = 0; k < rows_by_points(points); ++k) jacobian[i][k] = at.jacobian[i][k];
-  }
+  for (std::size_t i = 0; i < joints; ++i)
+    if (held[i]) jacobian[i] = none;
   return least_squares(jacobian, left, nothing);
 }
 

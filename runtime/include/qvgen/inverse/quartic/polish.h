@@ -18,12 +18,13 @@ polishing::Vector<Scalar, joints> step_of_points(const PointMatching<Scalar, joi
                                                  const JointValues<Scalar, joints>& values,
                                                  const Scalar& lambda, const Scalar& nothing,
                                                  const Held<joints>& held) {
+  const polishing::Vector<Scalar, 3 * points + joints> none{};
   polishing::Columns<Scalar, joints, 3 * points + joints> jacobian{};
   polishing::Vector<Scalar, 3 * points + joints> off{};
   add_points(task, values, jacobian, off);
   for (std::size_t i = 0; i < joints; ++i) {
     jacobian[i][3 * points + i] = lambda;
-    for (std::size_t k = 0; held[i] && k < 3 * points + joints; ++k) jacobian[i][k] = Scalar(0);
+    if (held[i]) jacobian[i] = none;
   }
   return polishing::least_squares(jacobian, off, nothing);
 }
