@@ -6,9 +6,9 @@
 
 namespace qvgen::inverse {
 
-/// Joints that are to carry points to their goals: one point is a position, three that are no line a whole
-/// pose, the second and third in two directions at right angles from the first, the arm's size away. The
-/// square of that size tells how much rounding is.
+/// Joints that are to carry points to their goals: one point is a position, three a
+/// whole pose, the second and third in two directions at right angles from the first, the arm's size away.
+/// The square of that size tells how much rounding is.
 template <typename Scalar, std::size_t joints, std::size_t points>
 struct PointMatching {
   static_assert(points == 1 || points == 3);
