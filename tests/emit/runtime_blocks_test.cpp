@@ -36,6 +36,11 @@ static Rotor rotor(double cosine, double sine) {
 static Rotor product(Rotor a, Rotor b) { return rotor(a.cosine * b.cosine, a.sine * b.sine); }
 static void doubt(Branch* branch, bool condition) { branch->unsure = branch->unsure || condition; }
 static const double pi = 3;
+enum { most_rows = 1, most_columns = 1 };
+typedef struct Task {
+  int rows;
+  double of[most_rows];
+} Task;
 )";
 
 std::string in_c(const std::string& header) {
@@ -237,6 +242,94 @@ inline double arctangent(double y, double x) { return polynomial::arctangent(y, 
             "static inline double arctangent(double y, double x) {\n  return y / x;\n}\n\n"
             "static inline double arctangent_of_length(double y, double x, double length) {\n"
             "  return arctangent(y, x) / length;\n}\n\n");
+}
+
+const std::string sums = R"(
+template <typename Scalar, std::size_t rows>
+using Vector = std::array<Scalar, rows>;
+template <typename Scalar, std::size_t columns, std::size_t rows>
+using Columns = std::array<Vector<Scalar, rows>, columns>;
+template <typename Scalar, std::size_t rows>
+Scalar sum(const Vector<Scalar, rows>& v) {
+  Scalar all(0);
+  for (std::size_t i = 0; i < rows; ++i) all += v[i];
+  return all;
+}
+)";
+
+/// C++ knows sizes when it compiles, C when it runs: the types of a call's arguments say them.
+TEST(RuntimeBlocks, SizesOfTemplatesAreArguments) {
+  EXPECT_EQ(in_c(sums + R"(
+template <typename Scalar, std::size_t columns>
+struct Both {
+  Vector<Scalar, columns> sums;
+  Columns<Scalar, columns, 2> pairs;
+};
+template <typename Scalar, std::size_t columns, std::size_t rows>
+Scalar all_of(const Columns<Scalar, columns, rows>& a) {
+  Both<Scalar, columns> both{};
+  Vector<Scalar, columns + 1> more{};
+  for (std::size_t i = 0; i < columns; ++i) both.sums[i] = sum(a[i]);
+  return sum(both.sums) + sum(both.pairs[0]) + sum(more);
+}
+)"),
+            R"(typedef struct Vector {
+  double of[most_rows];
+} Vector;
+
+typedef struct Columns {
+  Vector of[most_columns];
+} Columns;
+
+typedef struct Both {
+  Vector sums;
+  Columns pairs;
+} Both;
+
+static double sum(int rows, const Vector* v) {
+  double all = 0;
+  for (int i = 0; i < rows; ++i) all += v->of[i];
+  return all;
+}
+
+static double all_of(int columns, int rows, const Columns* a) {
+  Both both = {{{0}}};
+  Vector more = {{0}};
+  for (int i = 0; i < columns; ++i) both.sums.of[i] = sum(rows, &a->of[i]);
+  return sum(columns, &both.sums) + sum(2, &both.pairs.of[0]) + sum(columns + 1, &more);
+}
+
+)");
+}
+
+/// A struct of C may have its sizes as fields: who gets it needs no argument more.
+TEST(RuntimeBlocks, ASizeThatIsAFieldIsNoArgument) {
+  const std::string text = in_c(sums + R"(
+constexpr std::size_t twice(std::size_t rows) { return 2 * rows; }
+template <typename Scalar, std::size_t rows>
+Scalar all_of(const Task<Scalar, rows>& task, const Vector<Scalar, rows>& v, const Vector<Scalar, twice(rows)>& w) {
+  return Scalar(rows) * task.of[rows - 1] + sum(v) + sum(w);
+}
+)");
+  EXPECT_THAT(text, HasSubstr("double all_of(const Task* task, const Vector* v, const Vector* w) {\n"
+                              "  return task->rows * task->of[task->rows - 1] + sum(task->rows, v) + "
+                              "sum(twice(task->rows), w);\n}"));
+}
+
+TEST(RuntimeBlocks, ASizeThatNothingSaysIsRefusedWithItsPlace) {
+  const auto error_of = [](const std::string& parameter, const std::string& statement) {
+    return error_in(sums + "template <typename Scalar, std::size_t rows>\nScalar f(const " + parameter +
+                    "& x) {\n  " + statement + "\n}\n");
+  };
+  EXPECT_THAT(error_of("Vector<Scalar, rows>", "return sum(x);"), HasSubstr("no error"));
+  EXPECT_THAT(error_of("Scalar", "return sum(x);"),
+              HasSubstr("header.h:15: no argument says the rows of sum"));
+  EXPECT_THAT(error_of("Columns<Scalar, rows>", "return sum(x[0]);"),
+              HasSubstr("header.h:14: another number of sizes than Columns has"));
+  EXPECT_THAT(error_of("Vector<Scalar, 2 * rows>", "return sum(x);"), HasSubstr("no error"));
+  EXPECT_THAT(error_of("Vector<Scalar, 2 * lines>", "return sum(x);"),
+              HasSubstr("header.h:15: the size lines is not declared"));
+  EXPECT_THAT(error_of("Vector<Scalar, rows", "return sum(x);"), HasSubstr("header.h:"));
 }
 
 TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {

@@ -65,7 +65,7 @@ std::string type_text(const TypeRef& type) {
 std::string declared(const TypeRef& type, const std::string& name) {
   std::string sizes;
   for (TypeRef each = type; each->kind == Type::Kind::array; each = each->of)
-    sizes += "[" + std::to_string(each->size) + "]";
+    sizes += "[" + (each->name.empty() ? std::to_string(each->size) : each->name) + "]";
   return type_text(type) + " " + name + sizes;
 }
 
@@ -119,7 +119,14 @@ class Writer {
   std::string braces(const Expression& e) const {
     std::string text;
     for (const Expression& each : e.operands) text += (text.empty() ? "" : ", ") + initial(each);
-    return "{" + (text.empty() ? "0" : text) + "}";
+    return text.empty() ? zero(e.type) : "{" + text + "}";
+  }
+
+  /// Zeros of a type in braces, as many as C wants.
+  std::string zero(const TypeRef& type) const {
+    if (type->kind == Type::Kind::array) return "{" + zero(type->of) + "}";
+    if (type->kind != Type::Kind::structure) return "0";
+    return "{" + zero(unit_.structures.at(type->name).fields.front().type) + "}";
   }
 
   /// True if a function makes the struct of its fields: its parameters are these.

@@ -183,9 +183,7 @@ Expression Parser::behind(Expression object) {
     if (accept("[")) {
       Expression index = expression();
       expect("]");
-      TypeRef type = object.type->of;
-      if (!type) fail("an index of what is no array");
-      object = made(Kind::index, "", {std::move(object), std::move(index)}, type);
+      object = entry_of(std::move(object), std::move(index));
     } else if (accept(".")) {
       object = part_of(std::move(object));
     } else if (accept("->")) {
@@ -204,6 +202,12 @@ Expression Parser::behind(Expression object) {
 }
 
 Expression Parser::part_of(Expression object) { return field_of(std::move(object), name()); }
+
+Expression Parser::entry_of(Expression object, Expression index) {
+  TypeRef type = object.type->of;
+  if (!type) fail("an index of what is no array");
+  return made(Kind::index, "", {std::move(object), std::move(index)}, type);
+}
 
 Expression Parser::variable(const std::string& name) {
   Expression result = made(Kind::name, name, {}, type_of(name));

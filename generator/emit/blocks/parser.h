@@ -65,7 +65,7 @@ class Parser {
   // Types: types.cpp.
   [[nodiscard]] bool begins_type(std::size_t ahead = 0) const;
   Specifiers specifiers();
-  TypeRef base_type(Specifiers& into);
+  virtual TypeRef base_type(Specifiers& into);
   Declarator declarator(const Specifiers& specifiers, bool is_parameter = false);
   TypeRef declarator_free_type();
   int constant_value();
@@ -91,6 +91,7 @@ class Parser {
   Expression postfix();
   Expression behind(Expression object);
   virtual Expression part_of(Expression object);
+  virtual Expression entry_of(Expression object, Expression index);
   Expression primary();
   virtual Expression variable(const std::string& name);
   virtual Expression call(const std::string& name);

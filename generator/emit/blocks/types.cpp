@@ -10,8 +10,8 @@ TypeRef basic(Kind kind) { return std::make_shared<const Type>(Type{kind}); }
 TypeRef structure_type(const std::string& name) {
   return std::make_shared<const Type>(Type{Kind::structure, name});
 }
-TypeRef array_of(const TypeRef& element, int size) {
-  return std::make_shared<const Type>(Type{Kind::array, "", element, size});
+TypeRef array_of(const TypeRef& element, int size, const std::string& constant) {
+  return std::make_shared<const Type>(Type{Kind::array, constant, element, size});
 }
 TypeRef pointer_to(const TypeRef& element, bool constant, int size) {
   return std::make_shared<const Type>(Type{Kind::pointer, "", element, size, constant});
@@ -79,14 +79,15 @@ Parser::Declarator Parser::declarator(const Specifiers& all, bool is_parameter) 
   if (accept("&")) type = reference_to(type, constant);
   if (is("(") && is("*", 1)) fail("pointers to arrays or to functions are not in the subset");
   Declarator declared{name(), type};
-  std::vector<int> sizes;
+  std::vector<std::pair<int, std::string>> sizes;
   while (accept("[")) {
-    sizes.push_back(is("]") ? 0 : constant_value());
+    const std::string text = peek().kind == Token::Kind::name && is("]", 1) ? peek().text : "";
+    sizes.emplace_back(is("]") ? 0 : constant_value(), text);
     expect("]");
   }
   for (std::size_t i = sizes.size(); i-- > (is_parameter ? 1U : 0U);)
-    declared.type = array_of(declared.type, sizes[i]);
-  if (is_parameter && !sizes.empty()) declared.type = pointer_to(declared.type, constant, sizes[0]);
+    declared.type = array_of(declared.type, sizes[i].first, sizes[i].second);
+  if (is_parameter && !sizes.empty()) declared.type = pointer_to(declared.type, constant, sizes[0].first);
   return declared;
 }
 

@@ -11,7 +11,8 @@ namespace qvgen::emit::blocks {
 /// Basic types, and types made of others.
 TypeRef basic(Type::Kind kind);
 TypeRef structure_type(const std::string& name);
-TypeRef array_of(const TypeRef& element, int size);
+/// `constant`: the name that says the size, if one does.
+TypeRef array_of(const TypeRef& element, int size, const std::string& constant = "");
 TypeRef pointer_to(const TypeRef& element, bool constant, int size = 0);
 TypeRef reference_to(const TypeRef& type, bool constant);
 

@@ -25,7 +25,7 @@ using TypeRef = std::shared_ptr<const Type>;
 struct Type {
   enum class Kind { nothing, real, integer, natural, boolean, text, structure, array, pointer };
   Kind kind = Kind::nothing;
-  std::string name = {};   ///< of a structure
+  std::string name = {};   ///< of a structure; of an array the constant that says its size, if one does
   TypeRef of = {};         ///< element of an array or what a pointer points at
   int size = 0;            ///< of an array; of a pointer parameter that says it: "double x[3]"; else 0
   bool constant = false;   ///< of what a pointer points at

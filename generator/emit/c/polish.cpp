@@ -47,7 +47,7 @@ ast::Lines Printer::polish(const ast::Function& function) const {
   ast::Lines result;
   for (const std::string& each : function.comment) result.push_back("/// " + each);
   result.push_back("static void " + prefix_ + "task_of_" + step + "(" + target + ", const " + work +
-                   ", Matching* task, JointValues* values, JointValues* seed) {");
+                   ", PointMatching* task, JointValues* values, JointValues* seed) {");
   add_indented(result, task_of(function));
   result.insert(result.end(), {"}", "",
                                "static void " + prefix_ + "take_values_of_" + step +
@@ -57,7 +57,7 @@ ast::Lines Printer::polish(const ast::Function& function) const {
   const auto settled = [&](const std::string& name, const std::string& parameters, const std::string& by) {
     result.push_back("static bool " + prefix_ + name + "(" + target + ", " + parameters + ", " + work +
                      ") {");
-    add_indented(result, {"Matching task;", "JointValues values, seed;",
+    add_indented(result, {"PointMatching task;", "JointValues values, seed;",
                           prefix_ + "task_of_" + step + "(t, w, &task, &values, &seed);",
                           "if (!" + by +
                               ", &task, &t->boundary, t->preference->seeded ? &seed : NULL, &values, "

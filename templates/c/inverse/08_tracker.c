@@ -1,87 +1,14 @@
 // Which branches have led to which solution near singular poses: continuum.h and branch_tracker.h of the C++ library.
 
-/// Next to a continuum steps converge at once; elsewhere they need not.
-static Patience quick(double allowed) {
-  const Patience until = {allowed, 1, tolerance_quick_gain};
-  return until;
-}
-
-/// Values moved on along an idle joint, the others following.
-static void move_along(const Matching* task, const Reached* at, int joint, double by, JointValues* values) {
-  const Steps others = following(task, at, joint, by);
-  for (int i = 0; i < task->joints; ++i) advance(task, i, others.by[i], values);
-}
-
-/// True if values that reach the goals, moved on a little, still miss them by no more than is allowed.
-static bool goes_on(const Matching* task, const JointValues* values, const Reached* at, double allowed,
-                    Budget* budget) {
-  const Dependent idle = idle_joints(task, at);
-  if (idle.least == task->joints) return false;
-  const double little = length_of_arc(task, idle.least, tolerance_way_along);
-  // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
-  const double most = tolerance_off_to_first_order * allowed;
-  if (little * little * idle.square > most * most * task->size_square) return false;
-  for (int side = 1; side >= -1; side -= 2) {
-    JointValues moved_on = *values;
-    Reached there;
-    move_along(task, at, idle.least, (double)side * little, &moved_on);
-    if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.columns)) return true;
-  }
-  return false;
-}
-
-/// True if one of several joints that are idle goes on while the others are moved by whatever it takes: where
-/// two solutions meet on a continuum rounding takes them off it by half the digits.
-static bool leads_on_beside(const Matching* task, const JointValues* values, const Reached* at,
-                            double allowed, Budget* budget) {
-  const Dependent idle = idle_joints(task, at);
-  int count = 0;
-  for (int i = 0; i < task->joints; ++i) count += idle.columns.is[i] ? 1 : 0;
-  if (count < 2) return false;
-  for (int i = 0; i < task->joints; ++i) {
-    if (!idle.columns.is[i]) continue;
-    Held held = nothing_held;
-    held.is[i] = true;
-    JointValues moved_on = *values;
-    advance(task, i, length_of_arc(task, i, tolerance_way_along), &moved_on);
-    Reached there;
-    if (polish(task, quick(allowed), &moved_on, &there, budget, &held)) return true;
-  }
-  return false;
-}
-
-/// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
-static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
-  const double allowed = 64 * DBL_EPSILON;
-  return goes_on(task, values, at, allowed, budget) ||
-         leads_on_beside(task, values, at, allowed, budget);
-}
-
-/// True if between two values that reach the goals, near each other, there are such values too.
-static bool are_joined(const Matching* task, const JointValues* a, const Reached* at, const JointValues* b,
-                       Budget* budget) {
-  const Dependent idle = idle_joints(task, at);
-  if (idle.least == task->joints) return false;
-  JointValues place = place_between(task->joints, a, b);
-  Reached there;
-  return polish(task, quick(0), &place, &there, budget, &idle.columns) &&
-         lies_between(task->joints, &place, a, b);
-}
-
 /// Solutions so far, by the values of the joints that decide.
 typedef struct Known {
   int count;
   JointValues of[most_branches];
 } Known;
 
-/// By more than half the digits.
-static bool are_apart(int joints, const JointValues* a, const JointValues* b) {
-  return !(values_apart(joints, a, b) < 180 * DBL_EPSILON);
-}
-
 static bool is_known(const Known* known, int joints, const JointValues* values) {
   for (int k = 0; k < known->count; ++k)
-    if (!are_apart(joints, &known->of[k], values)) return true;
+    if (are_same(joints, &known->of[k], values)) return true;
   return false;
 }
 
@@ -96,11 +23,11 @@ static const Known nothing_known = {0, {{{{0, 0}}}}};
 /// boundary of reach: to first order nothing leads on. To second order a step to either side along the idle joint
 /// tells, and from there steps lead to the solutions if there are any. Returns whether they do; one that is known
 /// already is not enough.
-static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
+static bool leave_double_root(const PointMatching* task, Patience until, const Known* known, JointValues* values,
                               Reached* at, Budget* budget) {
   const double share = at->error / task->size_square;
   if (!(share < tolerance_double_root_miss)) return false;
-  const Dependent idle = idle_joints(task, at);
+  const Dependent idle = idle_joints(task->joints, task->points, at);
   if (idle.least == task->joints) return false;
   const double aside = length_of_arc(task, idle.least, sqrt(sqrt(share)));
   const JointValues meeting = *values;
@@ -111,7 +38,7 @@ static bool leave_double_root(const Matching* task, Patience until, const Known*
     Reached there;
     move_along(task, &there_at, idle.least, (double)side * aside, &beside);
     if (!may_step(budget)) return found;
-    reach(task, &beside, &there);
+    there = reached_place(task, &beside);
     if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held))
       continue;
     *values = beside;
@@ -184,11 +111,11 @@ static void reopen_branch(Tracker* tracker, int label, bool continuum) {
   --tracker->known.count;
 }
 
-static bool is_joined_to_known(Tracker* tracker, const Matching* task, const JointValues* values,
+static bool is_joined_to_known(Tracker* tracker, const PointMatching* task, const JointValues* values,
                                const Reached* at) {
   for (int k = 0; k < tracker->known.count; ++k) {
     const JointValues* other = &tracker->known.of[k];
-    if (values_apart(task->joints, other, values) < tolerance_may_be_joined &&
+    if (distance_square(task->joints, other, values) < tolerance_may_be_joined &&
         are_joined(task, values, at, other, &tracker->budget))
       return true;
   }
@@ -197,20 +124,19 @@ static bool is_joined_to_known(Tracker* tracker, const Matching* task, const Joi
 
 /// Newton steps from where a branch has led. Where two solutions meet they may come to the one that another
 /// branch has found, or stand still: then to the side of the other.
-static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task, JointValues* values,
+static bool lead_to_goal(Tracker* tracker, Patience until, const PointMatching* task, JointValues* values,
                          Reached* reached) {
   Budget* budget = &tracker->budget;
   const JointValues start = *values;
   const bool reaches = polish(task, until, values, reached, budget, &nothing_held);
   if (reaches &&
-      !(is_known(&tracker->known, task->joints, values) && are_apart(task->joints, &start, values)))
+      !(is_known(&tracker->known, task->joints, values) && !are_same(task->joints, &start, values)))
     return true;
   if (!reaches) return leave_double_root(task, until, &tracker->known, values, reached, budget);
   JointValues beside = start;
   if (!may_step(budget)) return true;
   normalise(task, &beside);
-  Reached there;
-  reach(task, &beside, &there);
+  Reached there = reached_place(task, &beside);
   if (leave_double_root(task, until, &tracker->known, &beside, &there, budget) &&
       !is_known(&tracker->known, task->joints, &beside)) {
     *values = beside;
@@ -220,7 +146,7 @@ static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task,
 }
 
 /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
-static void take_place_near_seed(Tracker* tracker, const Matching* task, const JointValues* seed,
+static void take_place_near_seed(Tracker* tracker, const PointMatching* task, const JointValues* seed,
                                  JointValues* values) {
   JointValues at = *seed;
   Reached there;
@@ -233,7 +159,7 @@ static void take_place_near_seed(Tracker* tracker, const Matching* task, const J
 
 /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
 /// continuum the place is the one next to the seed, if there is one.
-static bool settle_branch(Tracker* tracker, int label, const Matching* task, const Boundary* boundary,
+static bool settle_branch(Tracker* tracker, int label, const PointMatching* task, const Boundary* boundary,
                           const JointValues* seed, JointValues* values, Branch* branch) {
   BranchState* state = &tracker->states[label];
   Known* known = &tracker->known;
@@ -251,7 +177,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
   const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
   const bool same = leads && is_known(known, task->joints, values);
   // A branch that reached another branch's solution from elsewhere may have left its own, which a choice finds.
-  if (!leads || (tracker->persists && same && are_apart(task->joints, &start, values))) {
+  if (!leads || (tracker->persists && same && !are_same(task->joints, &start, values))) {
     if (*state == unseen) *state = missed;
     return false;
   }
@@ -281,27 +207,26 @@ static SeedTracker new_seed_tracker(void) {
 }
 
 /// True if Newton from the seed converges with the idle joints held.
-static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
+static bool moves_without_idle(SeedTracker* tracker, const PointMatching* task, Patience until,
                                JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;
-  Reached at;
-  reach(task, values, &at);
-  const Dependent idle = idle_joints(task, &at);
-  return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.columns);
+  Reached at = reached_place(task, values);
+  const Dependent idle = idle_joints(task->joints, task->points, &at);
+  return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.is);
 }
 
 /// True if the joints that are idle can be where the seed has them.
-static bool holds(SeedTracker* tracker, const Matching* task, Patience until, const JointValues* seed,
+static bool holds(SeedTracker* tracker, const PointMatching* task, Patience until, const JointValues* seed,
                   JointValues* values, Reached* reached) {
-  const Dependent idle = idle_joints(task, reached);
+  const Dependent idle = idle_joints(task->joints, task->points, reached);
   if (idle.least == task->joints) return false;
   for (int i = 0; i < task->joints; ++i)
-    if (idle.columns.is[i]) values->of[i] = seed->of[i];
-  return polish(task, until, values, reached, &tracker->budget, &idle.columns);
+    if (idle.is.of[i]) values->of[i] = seed->of[i];
+  return polish(task, until, values, reached, &tracker->budget, &idle.is);
 }
 
 /// False if no steps lead to the pose.
-static bool settle_near_seed(SeedTracker* tracker, const Matching* task, const Boundary* boundary,
+static bool settle_near_seed(SeedTracker* tracker, const PointMatching* task, const Boundary* boundary,
                              const JointValues* seed, JointValues* values, Branch* branch) {
   if (!branch->exists || (!branch->unsure && tracker->start != from_form)) return false;
   if (!branch->unsure) {

@@ -1,175 +1,4 @@
-// Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried.
-
-static inline double clamped(double x, double low, double high) { return smaller(larger(x, low), high); }
-
-/// Place to which a point of the zero pose has moved.
-static void carried(const Matching* task, const JointValues* values, int point, double x[3]) {
-  memcpy(x, task->start[point], sizeof task->start[point]);
-  for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
-}
-
-/// Sum of the squared distances between the points and their goals.
-static double miss(const Matching* task, const JointValues* values) {
-  double sum = 0;
-  for (int p = 0; p < task->points; ++p) {
-    double x[3];
-    carried(task, values, p, x);
-    difference(task->goal[p], x, x);
-    sum += dot(x, x);
-  }
-  return sum;
-}
-
-static void add_point(const Matching* task, int p, const JointValues* values, Columns* jacobian,
-                      double* off) {
-  double columns[most_joints][3], x[3];
-  memcpy(x, task->start[p], sizeof x);
-  for (int i = task->joints; i-- > 0;) {
-    const Screw* screw = &task->arm[i];
-    move_point(screw, values->of[i], x);
-    if (screw->revolute) {
-      difference(x, screw->point, columns[i]);
-      cross(screw->axis, columns[i], columns[i]);
-    } else {
-      memcpy(columns[i], screw->axis, sizeof screw->axis);
-    }
-    for (int k = i + 1; screw->revolute && k < task->joints; ++k)
-      turn_direction(screw, values->of[i], columns[k]);
-  }
-  difference(task->goal[p], x, x);
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < task->joints; ++i) jacobian->of[i][3 * p + k] = columns[i][k];
-    off[3 * p + k] = x[k];
-  }
-}
-
-static void point_columns(const Matching* task, const JointValues* values, Columns* jacobian, double* off) {
-  jacobian->count = task->joints;
-  jacobian->rows = 3 * task->points + task->joints;
-  memset(jacobian->of, 0, sizeof jacobian->of);
-  for (int p = 0; p < task->points; ++p) add_point(task, p, values, jacobian, off);
-}
-
-static Steps step_of_points(const Matching* task, const JointValues* values, double lambda, double nothing,
-                            const Held* held) {
-  Columns jacobian;
-  double off[most_rows] = {0};
-  point_columns(task, values, &jacobian, off);
-  for (int i = 0; i < task->joints; ++i) {
-    jacobian.of[i][3 * task->points + i] = lambda;
-    if (held->is[i]) memset(jacobian.of[i], 0, sizeof jacobian.of[i]);
-  }
-  return least_squares(&jacobian, off, nothing);
-}
-
-static Dependent idle_joints_at(const Matching* task, const JointValues* values) {
-  Columns jacobian;
-  double off[most_rows] = {0};
-  point_columns(task, values, &jacobian, off);
-  return dependent(&jacobian);
-}
-
-/// Brings joint values to where they carry the points to their goals, by damped Newton steps.
-static bool polish_points(const Matching* task, double allowed, JointValues* values, Budget* budget, const Held* held) {
-  const int most_steps = 60;
-  const int most_waits = 6;
-  normalise(task, values);
-  JointValues now = *values;
-  double error = miss(task, &now);
-  double least = error;
-  const double enough = DBL_EPSILON * DBL_EPSILON * task->size_square;
-  const double half_the_digits = sqrt(DBL_EPSILON);
-  int waited = 0;
-  for (int step = 0; step < most_steps && waited < most_waits && least > enough && may_step(budget); ++step) {
-    // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const bool stuck = waited >= most_waits / 2 && least > tolerance_stuck * enough;
-    const Steps by =
-        step_of_points(task, &now, tolerance_damping * sqrt(error), stuck ? tolerance_noise * DBL_EPSILON : half_the_digits, held);
-    for (int i = 0; i < task->joints; ++i) advance(task, i, by.by[i], &now);
-    error = miss(task, &now);
-    ++waited;
-    if (!(error < least)) continue;
-    least = error;
-    *values = now;
-    waited = 0;
-  }
-  const double share = larger(allowed, tolerance_reached * DBL_EPSILON);
-  return least <= share * share * task->size_square;
-}
-
-static bool points_go_on(const Matching* task, const JointValues* values, double allowed, Budget* budget) {
-  if (!may_step(budget)) return false;
-  const Dependent idle = idle_joints_at(task, values);
-  if (idle.least == task->joints) return false;
-  const double little = length_of_arc(task, idle.least, tolerance_way_along);
-  for (int side = 1; side >= -1; side -= 2) {
-    JointValues moved_on = *values;
-    advance(task, idle.least, (double)side * little, &moved_on);
-    if (polish_points(task, allowed, &moved_on, budget, &idle.columns)) return true;
-  }
-  return false;
-}
-
-static bool is_continuum_of_points(const Matching* task, const JointValues* values, Budget* budget) {
-  return points_go_on(task, values, tolerance_noise * DBL_EPSILON, budget);
-}
-
-/// True if values that miss the goals by very little can be moved on and miss them by not much more.
-static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
-  const double share = miss(task, values) / task->size_square;
-  return share < tolerance_nearly_on_continuum && points_go_on(task, values, 4 * sqrt(share), budget);
-}
-
-/// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely meet what is
-/// missing then is a hundred times as much.
-static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
-  return points_go_on(task, values, tolerance_next_to_continuum, budget);
-}
-
-/// One step of `move_on`, shorter if it does not get nearer; false if none does.
-static bool improve(const Matching* task, JointValues* values, Budget* budget) {
-  if (!may_step(budget)) return false;
-  const Dependent idle = idle_joints_at(task, values);
-  if (idle.least == task->joints) return polish_points(task, 0, values, budget, &nothing_held);
-  const double least = miss(task, values);
-  Steps by = step_of_points(task, values, tolerance_damping_along * sqrt(least), 2 * DBL_EPSILON, &nothing_held);
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    JointValues moved_on = *values;
-    for (int i = 0; i < task->joints; ++i) {
-      if (!idle.columns.is[i]) continue;
-      const double most = length_of_arc(task, i, tolerance_longest_along);
-      by.by[i] = clamped(by.by[i], -most, most);
-      advance(task, i, by.by[i], &moved_on);
-      by.by[i] = by.by[i] / 4;
-    }
-    polish_points(task, 0, &moved_on, budget, &idle.columns);
-    if (miss(task, &moved_on) < least) {
-      *values = moved_on;
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Moves values that are nearly on a continuum along it, to where it meets the goals. Returns whether it
-/// does.
-static bool move_on(const Matching* task, JointValues* values, Budget* budget) {
-  const int rounds = 24;
-  const double enough = tolerance_stuck * DBL_EPSILON * DBL_EPSILON * task->size_square;
-  for (int round = 0; round < rounds; ++round) {
-    if (!improve(task, values, budget)) return false;
-    if (miss(task, values) <= enough) return true;
-  }
-  return false;
-}
-
-static bool points_are_joined(const Matching* task, const JointValues* a, const JointValues* b, Budget* budget) {
-  if (!may_step(budget)) return false;
-  const Dependent idle = idle_joints_at(task, a);
-  if (idle.least == task->joints) return false;
-  JointValues place = place_between(task->joints, a, b);
-  return polish_points(task, 0, &place, budget, &idle.columns) && lies_between(task->joints, &place, a, b);
-}
+// Which branches of arms with a quartic have led to which solution: quartic/visited.h of the C++ library.
 
 /// Branches that have led to a solution; that came near one and have none; that have been left to a pass that
 /// chooses; that have come near a continuum, and to no solution of their own on it; that near one have come to
@@ -230,10 +59,10 @@ static void reopen_visit(Visited* visited, int label, bool continuum) {
   --visited->known.count;
 }
 
-static bool is_visited(Visited* visited, const Matching* task, const JointValues* values) {
+static bool is_visited(Visited* visited, const PointMatching* task, const JointValues* values) {
   for (int k = 0; k < visited->known.count; ++k) {
     const JointValues* other = &visited->known.of[k];
-    const double square = values_apart(task->joints, other, values);
+    const double square = distance_square(task->joints, other, values);
     if (square < tolerance_same_rows * DBL_EPSILON) return true;
     if (square < tolerance_may_be_joined && points_are_joined(task, other, values, &visited->budget)) return true;
   }
@@ -242,7 +71,7 @@ static bool is_visited(Visited* visited, const Matching* task, const JointValues
 
 /// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
 /// continuum the place is to be one that a pass has chosen, or the one next to the seed, if there is one.
-static bool settle_visit(Visited* visited, int label, const Matching* task, const Boundary* boundary,
+static bool settle_visit(Visited* visited, int label, const PointMatching* task, const Boundary* boundary,
                          const JointValues* seed, JointValues* values, Branch* branch) {
   Budget* budget = &visited->budget;
   if (visited->again && (!branch->exists || is_known(&visited->known, task->joints, values))) return false;

@@ -91,7 +91,7 @@ static Pose inclined_pose(const Arm* arm, HeadingJoints joints, const double* po
 }
 
 /// The tool's point (`points` 1) or its whole pose (3) at the zero pose, and where it is to be.
-static void set_matching(const Arm* arm, const Pose* pose, int points, Matching* task) {
+static void set_matching(const Arm* arm, const Pose* pose, int points, PointMatching* task) {
   const Pose back = inverse_pose(&arm->tool);
   const Pose unit = with_unit_quaternion(pose);
   const Pose moved = pose_after(&unit, &back);
@@ -149,7 +149,7 @@ static Arm without_joint(const Arm* arm, int still, double value) {
 }
 
 /// How far joint values leave the points off their goals, the largest distance squared.
-static double miss_square(const Matching* task, const JointValues* values) {
+static double miss_square(const PointMatching* task, const JointValues* values) {
   double largest = 0;
   for (int p = 0; p < task->points; ++p) {
     double x[3];
@@ -166,7 +166,7 @@ static double miss_square(const Matching* task, const JointValues* values) {
 static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const Preference* seed,
                            const Nearest* found) {
   const double rounding = tolerance_row_rounding * DBL_EPSILON;
-  Matching task;
+  PointMatching task;
   JointValues row, start;
   set_matching(arm, pose, points, &task);
   for (int i = 0; i < arm->joints; ++i) {
@@ -181,10 +181,9 @@ static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const P
 
 /// True if the seed misses the pose by much less than its way to a row lets expect: something between them is nearly
 /// free.
-static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
+static bool is_nearly_free(const PointMatching* task, const JointValues* seed, double row_apart, Budget* budget) {
   if (!may_step(budget)) return false;
-  Reached at;
-  reach(task, seed, &at);
+  Reached at = reached_place(task, seed);
   return at.error < tolerance_least_miss * tolerance_least_miss * row_apart * task->size_square;
 }
 
@@ -195,7 +194,7 @@ static bool is_nearly_free(const Matching* task, const JointValues* seed, double
 static void row_from_seed(const Arm* whole, int points, const Pose* pose, const Preference* seed, int given,
                           double value, double tolerance, bool is_sure, double row_apart, Nearest* row) {
   const Arm arm = given >= 0 ? without_joint(whole, given, value) : *whole;
-  Matching task;
+  PointMatching task;
   JointValues start;
   set_matching(&arm, pose, points, &task);
   memset(&start, 0, sizeof start);

@@ -3,7 +3,7 @@
 /// Keeps the rows that also reach the tool's point (`points` 1) or the whole pose (3), of rows that solve less than
 /// that.
 typedef struct Reaching {
-  Matching task;
+  PointMatching task;
   double tolerance;
   bool is_incomplete;
   int capacity;
@@ -34,7 +34,7 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
                           bool continuum, Solutions* found) {
   if (found->count == kept->capacity) return;
   for (int k = 0; k < found->count; ++k)
-    if (!are_apart(kept->task.joints, &kept->known[k], values)) return;
+    if (are_same(kept->task.joints, &kept->known[k], values)) return;
   // Two places of one continuum have its branch; each row has its own.
   for (int k = 0; k < found->count; ++k) {
     if (found->rows[k].branch != branch) continue;
@@ -52,14 +52,14 @@ static void keep_reaching(Reaching* kept, const double* q, const JointValues* va
 /// up to a quarter of a turn away, where nothing says to which side: goes along what is idle, another way each
 /// round. False if there is no budget left.
 static bool go_along_idle(Reaching* kept, int round, JointValues* values, Reached* at) {
-  const Matching* task = &kept->task;
+  const PointMatching* task = &kept->task;
   const double golden_angle = constant_golden_angle;
-  const Dependent idle = idle_joints(task, at);
+  const Dependent idle = idle_joints(task->joints, task->points, at);
   if (idle.least == task->joints) return true;
   const Reached here = *at;
   move_along(task, &here, idle.least, without_turns(round * golden_angle), values);
   if (!may_step(&kept->budget)) return false;
-  reach(task, values, at);
+  *at = reached_place(task, values);
   return true;
 }
 
@@ -70,7 +70,7 @@ static bool has_branch(const Solutions* found, int branch) {
 }
 
 static void look_at_row(Reaching* kept, const Row* from, double near, int round, Solutions* found) {
-  const Matching* task = &kept->task;
+  const PointMatching* task = &kept->task;
   const double exact = 4 * DBL_EPSILON, same = tolerance_same_start;
   double q[dof];
   JointValues values;
@@ -78,11 +78,10 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round,
   for (int i = 0; i < dof; ++i)
     values.of[i] = task->arm[i].revolute ? rotor(cos(q[i]), sin(q[i])) : rotor(q[i], 0);
   if (!may_step(&kept->budget)) return;
-  Reached at;
-  reach(task, &values, &at);
+  Reached at = reached_place(task, &values);
   JointValues* start = &kept->starts[from->branch % kept->capacity];
   const bool next_to_continuum =
-      from->continuum && round > 0 && values_apart(task->joints, start, &values) < same * same;
+      from->continuum && round > 0 && distance_square(task->joints, start, &values) < same * same;
   if (round == 0) *start = values;
   if (next_to_continuum && !go_along_idle(kept, round, &values, &at)) return;
   const double off = at.error / task->size_square;

@@ -85,9 +85,20 @@ class Methods {
     return at;
   }
 
+  /// Place behind the last argument of a type that may begin at a place: brackets there are no function's.
+  [[nodiscard]] std::size_t behind_arguments(std::size_t at) const {
+    while (in_[at].kind == Kind::name || text(at) == ":") ++at;
+    if (text(at) != "<") return at;
+    for (int depth = 0; in_[at].kind != Kind::end; ++at) {
+      depth += text(at) == "<" ? 1 : text(at) == ">" ? -1 : 0;
+      if (depth == 0) break;
+    }
+    return at;
+  }
+
   /// Sorts a member. Returns the place behind it.
   std::size_t member(std::size_t from, Members& into) const {
-    std::size_t at = next(from, ";={(");
+    std::size_t at = next(behind_arguments(from), ";={(");
     if (text(at) == "(") {
       const std::string& name = text(at - 1);
       at = next(closing(file_, in_, at), "{;");

@@ -15,7 +15,8 @@ namespace qvgen::emit::blocks::runtime {
 /// Reads C, then headers of the runtime that call it. Later ones see what earlier ones define.
 class Reader {
  public:
-  /// Takes definitions of C as known: they stand for those of the runtime that have their names.
+  /// Takes definitions of C as known: they stand for those of the runtime that have their names. Fields at
+  /// the beginning of a struct for which there are constants `most_FIELD` are its sizes.
   void read_c(const File& file);
   /// Returns the other definitions of a header in C. Throws NotInSubset.
   std::string in_c(const File& header);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "emit/blocks/runtime/brackets.h"
 
@@ -13,14 +14,16 @@ using Kind = Token::Kind;
 
 bool is_capital(const std::string& name) { return std::isupper(static_cast<unsigned char>(name[0])) != 0; }
 
-/// Structs that C hands on by pointers; the others are copied.
-bool is_handed_on(const std::string& type) { return type == "Boundary" || type == "Branch"; }
-
 }  // namespace
 
 std::string name_in_c(const std::string& name) {
-  if (name == "abs" || name == "magnitude") return "fabs";
-  return name == "angle" ? "angle_of" : name;
+  static const std::map<std::string, std::string> all{{"abs", "fabs"},
+                                                      {"magnitude", "fabs"},
+                                                      {"angle", "angle_of"},
+                                                      {"pass", "may_pass"},
+                                                      {"step", "may_step"}};
+  const auto known = all.find(name);
+  return known != all.end() ? known->second : name;
 }
 
 const std::string& Translation::text(std::size_t at) const { return in_[std::min(at, in_.size() - 1)].text; }
@@ -68,7 +71,7 @@ void Translation::word() {
   if (is("static_cast") || is("std") || is("inline") || is("constexpr")) return qualifier();
   if (is(":", 1) && is(":", 2)) return leave_out(at_ + 3);
   if (is("Scalar") || (is_capital(token.text) && is("<", 1) && is("Scalar", 2))) return type();
-  if (is("Boundary")) return type();
+  if (is("Boundary") || is("Patience") || is_sized()) return type();
   named();
 }
 
@@ -90,15 +93,25 @@ void Translation::qualifier() {
     Tokens sizes;
     array(sizes);
     put(in_[at_++]);
-    for (const Token& size : sizes) {
-      put("[");
-      put(size);
-      put("]");
-    }
+    put_sizes(sizes);
   }
 }
 
-/// Reads `array<T, size>`: puts T and gives the sizes, outer ones first.
+void Translation::put_sizes(const Tokens& sizes) {
+  for (const Token& size : sizes) {
+    put("[");
+    put(size);
+    put("]");
+  }
+}
+
+/// Room in C for a size: a number, or a constant of the robot's C for one of the template.
+Token Translation::room(const Token& size) const {
+  Token result = size;
+  if (std::find(sizes_.begin(), sizes_.end(), size.text) != sizes_.end()) result.text = "most_" + size.text;
+  return result;
+}
+
 void Translation::array(Tokens& sizes) {
   at_ += 2;
   Tokens inner;
@@ -108,7 +121,7 @@ void Translation::array(Tokens& sizes) {
   } else {
     type();
   }
-  sizes.push_back(in_[at_ + 1]);
+  sizes.push_back(room(in_[at_ + 1]));
   sizes.insert(sizes.end(), inner.begin(), inner.end());
   at_ += 3;
 }
@@ -134,12 +147,41 @@ void Translation::known_condition() {
   }
 }
 
+/// True at a struct with sizes among its arguments.
+bool Translation::is_sized() const { return is("<", 1) && known_.sized.count(text(at_)) > 0; }
+
+/// Structs that C hands on by pointers; the others are copied.
+bool Translation::is_handed_on(const std::string& type) const {
+  const auto sized = known_.sized.find(type);
+  return type == "Boundary" || type == "Branch" || (sized != known_.sized.end() && !sized->second.empty());
+}
+
+/// Place behind a type and its arguments.
+std::size_t Translation::behind_arguments() const {
+  std::size_t at = at_ + 1;
+  if (text(at) != "<") return at;
+  for (int depth = 0; at < in_.size(); ++at) {
+    depth += text(at) == "<" ? 1 : text(at) == ">" ? -1 : 0;
+    if (depth == 0) return at + 1;
+  }
+  fail("the arguments of a template have no end");
+}
+
+/// Puts the sizes among a type's arguments, which end in front of a place.
+void Translation::put_arguments(std::size_t behind) {
+  std::size_t at = at_ + 2;
+  if (text(at) == "Scalar") at += 2;
+  if (!is("<", 1) || at >= behind) return;
+  put("<");
+  for (; at < behind; ++at) put(in_[at]);
+}
+
 void Translation::type() {
   const std::string cpp = text(at_);
   const std::string c = cpp == "Scalar" ? "double" : cpp == "Mask" ? "bool" : cpp;
   const bool is_number = c == "double" || c == "bool",
              is_constant = !out_.empty() && out_.back().text == "const";
-  const std::size_t behind = at_ + (is("<", 1) ? 4 : 1);
+  const std::size_t behind = behind_arguments();
   const std::string after = text(behind);
   if (after == "(" && is_number) {
     leave_out(behind);
@@ -154,6 +196,7 @@ void Translation::type() {
     return;
   }
   put(c, Kind::name);
+  put_arguments(behind);
   at_ = behind;
   if (after == "&" && is_constant && !is_handed_on(c)) ++at_;
   if (is("&") || !in_body_ || in_[at_].kind != Kind::name) return;

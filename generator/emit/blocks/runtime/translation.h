@@ -30,6 +30,9 @@ class Translation {
   void leave_out(std::size_t behind);
   /// Puts all words up to a place in C.
   void translate(std::size_t end);
+  /// Reads `array<T, size>`: puts T and gives the sizes, outer ones first.
+  void array(Tokens& sizes);
+  void put_sizes(const Tokens& sizes);
 
   const File& file_;
   Known& known_;
@@ -37,14 +40,19 @@ class Translation {
   std::size_t at_ = 0;
   std::vector<std::string> comment_;
   bool in_body_ = false;
+  std::vector<std::string> sizes_;  ///< of the template that is read
 
  private:
   void word();
   void put_smallest();
   void qualifier();
-  void array(Tokens& sizes);
   void known_condition();
   void type();
+  [[nodiscard]] bool is_sized() const;
+  [[nodiscard]] bool is_handed_on(const std::string& type) const;
+  [[nodiscard]] std::size_t behind_arguments() const;
+  [[nodiscard]] Token room(const Token& size) const;
+  void put_arguments(std::size_t behind);
   void whole_number();
   void named();
   void put_flag(const std::string& value);

@@ -89,9 +89,11 @@ class Words : private Translation {
   void definition() {
     comment_ = in_[at_].comment;
     flag_.clear();
+    sizes_.clear();
     if (is("template")) template_head();
     const std::size_t name = behind_name() - 1, end = behind_definition(name + 1);
     const std::string name_here = defined_name(name);
+    if (is("using") && is("std", 3) && is("array", 6)) return alias(end);
     if (is("using") || is_in_other_words(name_here) || skipped_(name_here)) {
       at_ = end;
       comment_.clear();
@@ -125,17 +127,44 @@ class Words : private Translation {
     return count;
   }
 
-  /// Reads `template <typename Scalar, bool flag = false>`.
+  /// Reads `template <typename Scalar, bool flag = false, std::size_t rows>`.
   void template_head() {
     const std::size_t end = next(">");
-    for (; at_ < end; ++at_)
+    for (; at_ < end; ++at_) {
       if (is("bool")) flag_ = text(at_ + 1);
+      if (is("size_t")) sizes_.push_back(text(at_ + 1));
+    }
     ++at_;
+  }
+
+  /// A named array, a struct in C: `using Held = std::array<bool, joints>`.
+  void alias(std::size_t end) {
+    const std::string name = text(at_ + 1);
+    known_.sized[name] = sizes_;
+    known_.arrays.insert(name);
+    if (!skipped_(name)) {
+      put("typedef", Kind::name);
+      put("struct", Kind::name);
+      put(name, Kind::name);
+      put("{");
+      at_ += 6;
+      Tokens sizes;
+      array(sizes);
+      put("of", Kind::name);
+      put_sizes(sizes);
+      for (const char* each : {";", "}"}) put(each);
+      put(name, Kind::name);
+      put(";");
+      keep(name);
+    }
+    comment_.clear();
+    at_ = end;
   }
 
   void structure(std::size_t end) {
     ++at_;
     const std::string name = text(at_);
+    if (!sizes_.empty()) known_.sized[name] = sizes_;
     put("typedef", Kind::name);
     put("struct", Kind::name);
     put(name, Kind::name);
@@ -201,6 +230,16 @@ class Words : private Translation {
     in_body_ = false;
   }
 
+  /// True if a parameter in front of a place has a size as its field.
+  [[nodiscard]] bool is_field(const std::string& size, std::size_t end) const {
+    for (std::size_t i = at_; i < end; ++i) {
+      if (known_.with_fields.count(text(i)) == 0) continue;
+      const std::vector<std::string>& fields = known_.sized.at(text(i));
+      if (std::find(fields.begin(), fields.end(), size) != fields.end()) return true;
+    }
+    return false;
+  }
+
   /// Parameters without their usual values; pi is a constant.
   void parameters() {
     const std::size_t end = closing(at_);
@@ -209,6 +248,12 @@ class Words : private Translation {
     if (!flag_.empty()) {
       put("bool", Kind::name);
       put(flag_, Kind::name);
+    }
+    for (const std::string& size : sizes_) {
+      if (is_field(size, end)) continue;
+      if (out_.size() > before) put(",");
+      put("int", Kind::name);
+      put(size, Kind::name);
     }
     while (at_ < end) {
       std::size_t stop = at_, comma = at_;

@@ -16,21 +16,43 @@ using blocks::runtime::Reader;
 /// The template that headers of the runtime call.
 constexpr const char* before = "c/inverse/01_rotor.c";
 
-/// Adds a header in C behind those that it includes.
+/// Text in front of the blocks, as a robot's C has it: sizes of arrays for which it has room, of which only
+/// the names are printed, and the struct that its header has.
+constexpr const char* robot = R"(
+enum { most_joints = 1, most_rows = 1, most_points = 3 };
+typedef struct Effort {
+  int passes, steps, used_up;
+} Effort;
+)";
+
+void read_c(const std::string& name, const std::string& text, Reader& reader) {
+  reader.read_c({name, "inverse", false, in_double_precision(text)});
+}
+
+/// Adds a header in C, or what C has of its own in the place of it, behind those that it includes.
 void add_header(const std::string& name, std::set<std::string>& known, Reader& reader, std::string& result) {
-  const auto header = builtin_templates().find("runtime/" + name);
-  if (header == builtin_templates().end() || !known.insert(name).second) return;
-  static const std::regex include(R"(#include <qvgen/inverse/([a-z_]+\.h)>)");
-  const std::string& text = header->second;
+  if (!known.insert(name).second) return;
+  const std::string in_place = "c/headers/" + name.substr(0, name.size() - 1) + "c";
+  const auto header = builtin_templates().find("runtime/" + name), own = builtin_templates().find(in_place);
+  const bool is_read = header != builtin_templates().end();
+  if (!is_read && own == builtin_templates().end()) return;
+  static const std::regex include(R"(#include <qvgen/inverse/([a-z_/]+\.h)>\n)");
+  const std::string& text = (is_read ? header : own)->second;
   for (std::sregex_iterator each(text.begin(), text.end(), include), end; each != end; ++each)
     add_header((*each)[1], known, reader, result);
-  result += reader.in_c({name, "inverse", false, text});
+  if (is_read) {
+    result += reader.in_c({name, "inverse", false, text});
+    return;
+  }
+  read_c(in_place, text, reader);
+  result += std::regex_replace(text, include, "") + "\n";
 }
 
 std::string joined() {
   Reader reader;
   const std::string& first = builtin_templates().at(before);
-  reader.read_c({before, "inverse", false, in_double_precision(first)});
+  read_c("robot", robot, reader);
+  read_c(before, first, reader);
   std::string result = first + "\n";
   std::set<std::string> known;
   for (const auto& [name, text] : builtin_templates())

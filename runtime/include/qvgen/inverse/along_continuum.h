@@ -219,7 +219,7 @@ class AlongContinuum {
   /// True if joints that go so move the points next to nothing, as a share of the size.
   [[nodiscard]] bool is_idle(const At& at, const Way& way, double next_to_nothing) const {
     double square = 0;
-    for (std::size_t k = 0; k < At::rows; ++k) {
+    for (std::size_t k = 0; k < rows_by_points(static_cast<std::size_t>(points)); ++k) {
       double sum = 0;
       for (std::size_t i = 0; i < joints; ++i) sum += way[i] * at.jacobian[i][k];
       square += sum * sum;

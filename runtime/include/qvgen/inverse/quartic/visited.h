@@ -62,25 +62,24 @@ class Visited {
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
     if (again_ && (!branch.exists || is_row(values))) return false;
-    const Idling<Scalar, joints, points> idling(task, budget_);
-    bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values, budget_);
-    const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
-    if (strays) reached = idling.move_on(values);
+    bool reached = branch.exists && polish_points(task, Scalar(boundary.miss), values, budget_, {});
+    const bool strays = branch.exists && !reached && is_nearly_continuum(task, values, budget_);
+    if (strays) reached = move_on(task, values, budget_);
     marks_.strayed[at] = marks_.strayed[at] || strays;
     marks_.missed[at] = marks_.missed[at] || !reached;
     if (!reached) return false;
-    if (idling.is_continuum(values)) {
+    if (is_continuum_of_points(task, values, budget_)) {
       marks_.left[at] = !branch.continuum && !boundary.take;
       if (marks_.left[at]) return false;
       branch.continuum = true;
       if (seed != nullptr) near_seed(task, *seed, values);
     }
-    const bool known = is_known(idling, values);
+    const bool known = is_known(task, values);
     // Near a continuum two branches may have been led to the one solution and left another; and so may a
     // choice lead.
     const bool astray = strays || marks_.left[at] || marks_.shared[at];
-    marks_.shared[at] = marks_.shared[at] ||
-                        (known && !astray && !marks_.turned_back[at] && idling.is_next_to_continuum(values));
+    marks_.shared[at] = marks_.shared[at] || (known && !astray && !marks_.turned_back[at] &&
+                                              is_next_to_continuum(task, values, budget_));
     marks_.settled[at] = !(known && (astray || marks_.shared[at]));
     if (known || !has_room()) return false;
     rows_[count_++] = values;
@@ -105,20 +104,19 @@ class Visited {
   /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
   template <std::size_t points>
   void near_seed(const PointMatching<Scalar, joints, points>& task, const Values& seed, Values& values) {
-    const Idling<Scalar, joints, points> idling(task, budget_);
     Values near = seed;
-    if (!quartic::polish(task, Scalar(0), near, budget_) || is_known(idling, near) ||
-        !idling.is_continuum(near))
+    if (!polish_points(task, Scalar(0), near, budget_, {}) || is_known(task, near) ||
+        !is_continuum_of_points(task, near, budget_))
       return;
     values = near;
   }
 
   template <std::size_t points>
-  [[nodiscard]] bool is_known(const Idling<Scalar, joints, points>& idling, const Values& values) const {
+  [[nodiscard]] bool is_known(const PointMatching<Scalar, joints, points>& task, const Values& values) {
     for (std::size_t k = 0; k < count_; ++k) {
       if (are_same(rows_[k], values)) return true;
       if (distance_square(rows_[k], values) < Scalar(tolerance::may_be_joined) &&
-          idling.are_joined(rows_[k], values))
+          points_are_joined(task, rows_[k], values, budget_))
         return true;
     }
     return false;

@@ -1,21 +1,13 @@
-// Places to which joint values carry the points, with the derivatives by each joint.
+// Places to which joint values carry the points, with the derivatives by each joint, in three coordinates.
+#include <qvgen/inverse/point_matching.h>
+#include <qvgen/inverse/reached.h>
 
-/// Place that joint values reach, with derivatives. Rows: the position; for a whole pose also the orientation, as a
-/// rotation vector times the size.
-typedef struct Reached {
-  double jacobian[most_joints][6];
-  double off[6];  // goal - reached
-  double error;   // its square, of turns beyond the first order too
-} Reached;
-
-static int rows_of_task(const Matching* task) { return task->points == 1 ? 3 : 6; }
-
-static void reached_position(const Matching* task, const JointValues* values, Reached* result) {
+static void reached_position(const PointMatching* task, const JointValues* values, Reached* result) {
   double x[3];
   memcpy(x, task->start[0], sizeof x);
   for (int i = task->joints; i-- > 0;) {
     const Screw* screw = &task->arm[i];
-    double* column = result->jacobian[i];
+    double* column = result->jacobian.of[i].of;
     move_point(screw, values->of[i], x);
     if (screw->revolute) {
       difference(x, screw->point, column);
@@ -24,10 +16,10 @@ static void reached_position(const Matching* task, const JointValues* values, Re
       memcpy(column, screw->axis, sizeof screw->axis);
     }
     for (int k = i + 1; screw->revolute && k < task->joints; ++k)
-      turn_direction(screw, values->of[i], result->jacobian[k]);
+      turn_direction(screw, values->of[i], result->jacobian.of[k].of);
   }
-  difference(task->goal[0], x, result->off);
-  result->error = dot(result->off, result->off);
+  difference(task->goal[0], x, result->off.of);
+  result->error = dot(result->off.of, result->off.of);
 }
 
 /// The columns of a rotation matrix.
@@ -52,7 +44,7 @@ static void turn_frame(const double* a, Rotor turn, Frame* frame) {
 
 /// The directions from the first point to the others, and at right angles to both, against those of the
 /// goals.
-static void set_miss(const Matching* task, const Frame* frame, const double* x, double size,
+static void set_miss(const PointMatching* task, const Frame* frame, const double* x, double size,
                      Reached* result) {
   const double scale = 1 / size;
   double now[3][3], then[3][3], away[3], turn[3] = {0, 0, 0};
@@ -78,8 +70,8 @@ static void set_miss(const Matching* task, const Frame* frame, const double* x, 
     for (int k = 0; k < 3; ++k) turn[k] += side[k];
   }
   for (int k = 0; k < 3; ++k) {
-    result->off[k] = away[k];
-    result->off[3 + k] = 0.5 * size * turn[k];
+    result->off.of[k] = away[k];
+    result->off.of[3 + k] = 0.5 * size * turn[k];
   }
   result->error = dot(away, away) + 0.5 * task->size_square * gap_square;
 }
@@ -94,7 +86,7 @@ static void go_to(const Frame* frame, const double* to, double* at, double* plac
 }
 
 /// Frames from joint to joint.
-static void reached_pose(const Matching* task, const JointValues* values, Reached* result) {
+static void reached_pose(const PointMatching* task, const JointValues* values, Reached* result) {
   Frame frame = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   double at[3] = {0, 0, 0}, place[3] = {0, 0, 0}, axis[most_joints][3], point[most_joints][3];
   for (int i = 0; i < task->joints; ++i) {
@@ -119,16 +111,18 @@ static void reached_pose(const Matching* task, const JointValues* values, Reache
       cross(axis[i], way, way);
     }
     for (int k = 0; k < 3; ++k) {
-      result->jacobian[i][k] = way[k];
-      result->jacobian[i][3 + k] = revolute ? size * axis[i][k] : 0;
+      result->jacobian.of[i].of[k] = way[k];
+      result->jacobian.of[i].of[3 + k] = revolute ? size * axis[i][k] : 0;
     }
   }
   set_miss(task, &frame, place, size, result);
 }
 
-static void reach(const Matching* task, const JointValues* values, Reached* result) {
+static Reached reached_place(const PointMatching* task, const JointValues* values) {
+  Reached result;
   if (task->points == 1)
-    reached_position(task, values, result);
+    reached_position(task, values, &result);
   else
-    reached_pose(task, values, result);
+    reached_pose(task, values, &result);
+  return result;
 }
