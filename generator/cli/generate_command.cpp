@@ -35,6 +35,7 @@ struct Task {
   std::string key;
   std::vector<model::Frame> tips = {};
   model::Loops loops = {};
+  std::string limb_of = {};  ///< a robot without loops, whose functions are those of all limbs
 };
 
 /// A limb may be called like another robot.
@@ -83,16 +84,20 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
           {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips, loops});
     };
     add(mechanism.robot, mechanism.tips, mechanism.loops);
-    for (const model::Robot& limb : limbs_of(mechanism)) add(limb, {}, {});
+    for (const model::Robot& limb : limbs_of(mechanism)) {
+      add(limb, {}, {});
+      if (mechanism.loops.empty()) tasks.back().limb_of = mechanism.robot.name;
+    }
   }
   check_names(tasks);
   return tasks;
 }
 
-/// A mechanism with loops is made anew with all of its limbs, which its functions call.
-void forget_parts_of_loops(const std::vector<Task>& tasks, std::set<std::string>& current) {
+/// A mechanism is made anew with all of its limbs: its functions call those of limbs, and limbs those of
+/// others that they are images of.
+void forget_parts_of_mechanisms(const std::vector<Task>& tasks, std::set<std::string>& current) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (tasks[i].loops.empty()) continue;
+    if (tasks[i].tips.empty() && tasks[i].loops.empty()) continue;
     const auto first = tasks.begin() + static_cast<std::ptrdiff_t>(i);
     const auto end = first + 1 + static_cast<std::ptrdiff_t>(tasks[i].tips.size());
     if (std::all_of(first, end, [&](const Task& task) { return current.count(task.name) > 0; })) continue;
@@ -105,7 +110,7 @@ std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::v
   std::vector<std::pair<std::string, std::string>> keys;
   for (const Task& task : tasks) keys.emplace_back(task.name, task.key);
   std::set<std::string> current = current_robots(arguments.output, keys);
-  forget_parts_of_loops(tasks, current);
+  forget_parts_of_mechanisms(tasks, current);
   std::vector<Task> changed;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(changed),
                [&](const Task& task) { return current.count(task.name) == 0; });
@@ -140,11 +145,15 @@ std::vector<RobotOutput> limb_outputs(const Task& task, std::size_t place,
 FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
-  for (const Task& task : changed) robots.push_back(task.robot);
+  std::vector<std::string> limb_of;
+  for (const Task& task : changed) {
+    robots.push_back(task.robot);
+    limb_of.push_back(task.limb_of);
+  }
   ProgressLine line(robots.size());
   std::vector<RobotOutput> outputs = generate(
       robots, arguments.parts, arguments.budget, [&](const std::string& robot) { line.finished(robot); },
-      arguments.language);
+      arguments.language, limb_of);
   const auto& parts = arguments.parts;
   const auto names = [&](const char* part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();

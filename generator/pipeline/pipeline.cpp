@@ -11,6 +11,7 @@
 #include "emit/template_values.h"
 #include "model/mechanism.h"
 #include "pipeline/c_files.h"
+#include "pipeline/images.h"
 #include "pipeline/products/page.h"
 #include "pipeline/products/product.h"
 #include "pipeline/translation.h"
@@ -122,8 +123,10 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
   return true;
 }
 
-RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
+RobotOutput generate_product(const Original& original, const Product& product, Language language) {
+  const model::Robot& robot = original.robot;
   RobotOutput output{robot.name};
+  output.images = original.images;
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
   const auto make = comes_from_c(language) ? product.generate_c : product.generate;
   if (const std::string lack = lack_of(row_of(language), product.part);
@@ -164,7 +167,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
 }
 
 /// Makes the products of each robot, not put together yet.
-std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std::vector<Product>& products,
+std::vector<RobotOutput> made(const std::vector<Original>& robots, const std::vector<Product>& products,
                               const Budget& budget, const std::function<void(const std::string&)>& progress,
                               Language language) {
   // The last products take longest and begin first, so that no core waits for one of them at the end.
@@ -175,12 +178,12 @@ std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std
   std::vector<std::size_t> open(robots.size(), products.size());
   const auto done = [&](std::size_t i) {
     const std::size_t robot = i / products.size();
-    if (--open[robot] == 0 && progress) progress(robots[robot].name);
+    if (--open[robot] == 0 && progress) progress(robots[robot].robot.name);
   };
   const std::vector<Outcome> outcomes = in_processes(robots.size() * products.size(), work, budget, done);
   std::vector<RobotOutput> outputs;
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-    RobotOutput output{robots[robot].name};
+    RobotOutput output{robots[robot].robot.name};
     for (std::size_t i = 0; i < products.size(); ++i) {
       const Outcome& outcome = outcomes[robot * products.size() + product_at(i)];
       if (outcome.done)
@@ -194,11 +197,12 @@ std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std
 }
 
 /// Adds what is made from the products, each extra of each robot in a process of its own as well.
-void add_extras(const std::vector<model::Robot>& robots, const std::vector<Extra>& extras,
-                const Budget& budget, Language language, std::vector<RobotOutput>& outputs) {
+void add_extras(const std::vector<Original>& robots, const std::vector<Extra>& extras, const Budget& budget,
+                Language language, std::vector<RobotOutput>& outputs) {
   const auto work = [&](std::size_t i) {
     const std::size_t robot = i / extras.size();
-    return to_text(generate_extra(robots[robot], extras[i % extras.size()], language, outputs[robot].counts));
+    return to_text(
+        generate_extra(robots[robot].robot, extras[i % extras.size()], language, outputs[robot].counts));
   };
   const std::vector<Outcome> outcomes = in_processes(robots.size() * extras.size(), work, budget);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -307,19 +311,24 @@ bool has_part(const std::vector<Missing>& missing, const std::string& part) {
 
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& described, const Parts& parts,
                                   const Budget& budget,
-                                  const std::function<void(const std::string&)>& progress,
-                                  Language language) {
+                                  const std::function<void(const std::string&)>& progress, Language language,
+                                  std::vector<std::string> limb_of) {
   std::vector<model::Robot> robots;
   for (const model::Robot& robot : described) robots.push_back(asked_for(robot, parts));
-  std::vector<RobotOutput> outputs = made(robots, wanted_products(parts), budget, progress, language);
-  add_extras(robots, wanted_extras(parts), budget, language, outputs);
-  outputs = whole(std::move(outputs), budget, language);
+  const auto derive = [&](const std::vector<Original>& some) {
+    std::vector<RobotOutput> outputs = made(some, wanted_products(parts), budget, progress, language);
+    add_extras(some, wanted_extras(parts), budget, language, outputs);
+    return outputs;
+  };
+  limb_of.resize(robots.size());
+  if (comes_from_c(language)) limb_of.assign(robots.size(), "");
+  std::vector<RobotOutput> outputs = whole(derived_once(robots, limb_of, derive, progress), budget, language);
   for (std::size_t i = 0; i < robots.size(); ++i) outputs[i].robot = folder_name(robots[i].name, language);
   return outputs;
 }
 
 RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget) {
-  return whole(made({robot}, page_products(), budget, {}, Language::c).front(), Language::c);
+  return whole(made({{robot}}, page_products(), budget, {}, Language::c).front(), Language::c);
 }
 
 std::vector<OutputFile> shared_files() {

@@ -36,11 +36,12 @@ bool has_part(const std::vector<Missing>& missing, const std::string& part);
 
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every
 /// product of every robot is made in a process of its own; one that fails is left out and says why. Outputs
-/// have the names that folders call them by.
+/// have the names that folders call them by. `limb_of`: for each robot the one that it is a limb of, if it is
+/// one; limbs of C++ that are images of another limb are made with that (images.h).
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
                                   const Budget& budget = {},
                                   const std::function<void(const std::string& robot)>& progress = {},
-                                  Language language = Language::cxx);
+                                  Language language = Language::cxx, std::vector<std::string> limb_of = {});
 
 /// In C, the functions that a report's page calls; see `page_products`.
 RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget = {});

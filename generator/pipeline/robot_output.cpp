@@ -40,7 +40,7 @@ std::string defect_text(const std::string& check) {
 
 void attempt(const std::string& part, RobotOutput& output,
              const std::function<void(RobotOutput&)>& generate) {
-  RobotOutput made{output.robot, {}, ordered_json::object(), {}};
+  RobotOutput made{output.robot, {}, ordered_json::object(), {}, output.images};
   const auto leave_out = [&](Missing::Kind kind, const std::string& reason) {
     output.missing.push_back({part, kind, one_line(reason)});
   };

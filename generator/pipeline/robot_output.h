@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/image.h"
+
 namespace qvgen::pipeline {
 
 /// A file to write, path relative to the output folder.
@@ -39,6 +41,7 @@ struct RobotOutput {
   std::vector<OutputFile> files = {};
   nlohmann::ordered_json counts = nlohmann::ordered_json::object();
   std::vector<Missing> missing = {};
+  std::vector<model::Image> images = {};  ///< that get headers beside the robot's own (images.h)
 };
 
 /// Lets `generate` add a part to the output. If it throws, nothing of the part is left but the reason.

@@ -21,6 +21,7 @@
 #include "model/evaluate.h"
 #include "model/tasks.h"
 #include "pipeline/c_files.h"
+#include "pipeline/images.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_elimination.h"
@@ -194,6 +195,32 @@ void add_reasons(const InverseDerivation& derivation, RobotOutput& output) {
     output.missing.push_back({"inverse", Missing::Kind::not_derived, reason});
 }
 
+/// How an image sees an argument, by its type; nothing for tasks that have more than that.
+std::string seen_argument(const json& entry) {
+  const std::string name = entry["argument"];
+  if (entry["is_pose"].get<bool>()) return "detail::Image::pose<double>(" + name + ")";
+  if (name == "position") return "detail::Image::vector<double>(" + name + ")";
+  if (name == "orientation") return "detail::Image::rotation<double>(" + name + ")";
+  return "";
+}
+
+/// True if images can call the functions: all joints are theirs, none is given, and arguments are plain.
+bool can_be_seen(const InverseDerivation& derivation, const json& values) {
+  if (derivation.outer) return false;
+  for (const json& variant : values["variants"]) {
+    if (variant["locked"].get<bool>()) return false;
+    for (const json& entry : variant["entries"])
+      if (seen_argument(entry).empty()) return false;
+  }
+  return true;
+}
+
+json as_seen(json values) {
+  for (json& variant : values["variants"])
+    for (json& entry : variant["entries"]) entry["seen"] = seen_argument(entry);
+  return values;
+}
+
 }  // namespace
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
@@ -212,6 +239,9 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
   if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
     output.files.push_back({sources + "inverse_avx2.cpp", emit::render("cpp/inverse_avx2.cpp", values)});
+  if (can_be_seen(derivation, values))
+    for (const model::Image& image : output.images)
+      add_image(described, image, "inverse", false, as_seen(values), output);
 }
 
 void generate_inverse_c(const model::Robot& described, RobotOutput& output) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/jacobian.h"
 
+#include <map>
+
 #include "canonical/right_angles.h"
 #include "dag/import.h"
 #include "derive/jacobian/quantities.h"
@@ -16,6 +18,7 @@
 #include "optimise/optimised_json.h"
 #include "passes/pass.h"
 #include "pipeline/c_files.h"
+#include "pipeline/images.h"
 #include "pipeline/products/jacobian_functions.h"
 #include "verify/certificate.h"
 #include "verify/counts_json.h"
@@ -65,6 +68,25 @@ json wrist_values(const model::Robot& robot) {
   const std::vector<std::string> code = wrist_centre_code(robot, emit::plain_cpp());
   if (code.empty()) return json::array();
   return json::array({{{"x", code.at(0)}, {"y", code.at(1)}, {"z", code.at(2)}}});
+}
+
+/// Adds to the values how an image sees results, arguments and the wrist centre.
+json as_seen(const model::Image& image, json values) {
+  const std::map<std::string, std::string> results{{"Jacobian", "detail::Image::columns<Scalar>"},
+                                                   {"Twist", "detail::Image::twist<Scalar>"},
+                                                   {"TransformAndJacobian", "detail::seen<Scalar>"},
+                                                   {"SingularityMeasures", ""}};
+  for (json& function : values["functions"]) {
+    function["seen"] = results.at(function["result"]);
+    if (function["function"] == "tool_jacobian") function["seen"] = "detail::Image::tool_columns<Scalar>";
+    for (json& argument : function["arguments"])
+      argument["as"] = argument["type"] == "JointVector" ? "joints" : "tool_vector";
+  }
+  for (json& centre : values["wrist"])
+    for (std::size_t i = 0; i < 3; ++i)
+      if (json& entry = centre[std::string(1, "xyz"[i])]; image.tool.at(i) < 0)
+        entry = "-(" + entry.get<std::string>() + ")";
+  return values;
 }
 
 /// The functions, certified; their counts go to the output.
@@ -117,6 +139,8 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
       {headers + "jacobian_definitions.h", emit::render("cpp/jacobian_definitions.h", values)});
   output.files.push_back(
       {"source/" + robot.name + "/jacobian.cpp", emit::render("cpp/jacobian.cpp", values)});
+  for (const model::Image& image : output.images)
+    add_image(described, image, "jacobian", true, as_seen(image, values), output);
 }
 
 bool has_wrist_centre(const model::Robot& described) {

@@ -14,6 +14,7 @@
 #include "optimise/optimised_json.h"
 #include "optimise/pose.h"
 #include "pipeline/c_files.h"
+#include "pipeline/images.h"
 #include "verify/accuracy.h"
 #include "verify/counts_json.h"
 #include "verify/same_pose.h"
@@ -118,6 +119,8 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
       {headers + "kinematics_definitions.h", emit::render("cpp/kinematics_definitions.h", values)});
   output.files.push_back(
       {"source/" + robot.name + "/kinematics.cpp", emit::render("cpp/kinematics.cpp", values)});
+  for (const model::Image& image : output.images)
+    add_image(described, image, "kinematics", true, values, output);
 }
 
 void generate_kinematics_c(const model::Robot& described, RobotOutput& output) {

@@ -27,16 +27,25 @@ std::vector<Number> integers;
 std::vector<const double*> arguments;
 std::vector<double*> results;
 
+std::vector<double> found;
+
 template <auto function, int matrices>
-void call(std::size_t k, double* result) {
+void call(std::size_t k) {
   const State& state = robot->states[k];
   const double** argument = arguments.data();
   argument[0] = state.q.data();
   argument[1] = state.v.data();
   argument[2] = state.a.data();
   for (int j = 0; j < (matrices == 0 ? 1 : matrices); ++j)
-    results[static_cast<std::size_t>(j)] = result + static_cast<std::size_t>(j) * robot->size * robot->size;
+    results[static_cast<std::size_t>(j)] =
+        found.data() + static_cast<std::size_t>(j) * robot->size * robot->size;
   function(argument, results.data(), integers.data(), work.data(), 0);
+}
+
+template <std::size_t matrices>
+void copy(double* result) {
+  const std::size_t n = robot->size;
+  std::copy_n(found.begin(), matrices == 0 ? n : matrices * n * n, result);
 }
 
 template <class Sizes>
@@ -58,10 +67,12 @@ Implementation of_casadi(const Robot& of) {
   robot = &of;
   for (const auto sizes : {peer_id_work, peer_m_work, peer_fd_work, peer_did_work, peer_dfd_work})
     reserve(sizes);
+  found.resize(3 * of.size * of.size);
   std::vector<std::size_t> place(of.size);
   std::iota(place.begin(), place.end(), std::size_t{0});
   return {"CasADi",
           {call<peer_id, 0>, call<peer_m, 1>, call<peer_fd, 0>, call<peer_did, 2>, call<peer_dfd, 3>},
+          {copy<0>, copy<1>, copy<0>, copy<2>, copy<3>},
           place};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One library in the benchmark of trees: five functions of a robot at states that are made before. The
-// numbers of a call go to an array: n forces or accelerations, or the columns of n x n matrices.
+// One library in the benchmark of trees: five functions of a robot at states that are made before. A call
+// leaves its results where the library puts them; they are copied out only to be compared.
 #pragma once
 
 #include <array>
@@ -27,11 +27,15 @@ struct Robot {
   std::vector<State> states;
 };
 
-using Call = void (*)(std::size_t state, double* result);
+using Call = void (*)(std::size_t state);
+/// Copies the results of the function's last call: n forces or accelerations, or the columns of n x n
+/// matrices.
+using Copy = void (*)(double* result);
 
 struct Implementation {
   std::string name;
   std::array<Call, functions> calls;
+  std::array<Copy, functions> copies;
   std::vector<std::size_t> place;  ///< among its velocities, of each of Pinocchio's
 };
 

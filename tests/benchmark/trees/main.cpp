@@ -55,8 +55,10 @@ double difference(const Robot& robot, std::size_t function, const Implementation
   };
   for (std::size_t k = 0; k < robot.states.size(); ++k) {
     Numbers a(3 * n * n), b(3 * n * n);
-    one.calls[function](k, a.data());
-    other.calls[function](k, b.data());
+    one.calls[function](k);
+    one.copies[function](a.data());
+    other.calls[function](k);
+    other.copies[function](b.data());
     if (matrices[function] == 0)
       for (std::size_t i = 0; i < n; ++i) compare(a[one.place[i]], b[other.place[i]]);
     for (std::size_t m = 0; m < matrices[function]; ++m)
@@ -70,13 +72,12 @@ double difference(const Robot& robot, std::size_t function, const Implementation
 
 /// The fastest of several goes over all states, in nanoseconds a call.
 double nanoseconds(const Robot& robot, Call call) {
-  Numbers result(3 * robot.size * robot.size);
   double best = INFINITY;
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::milliseconds(300);
   while (Clock::now() < until) {
     const auto start = Clock::now();
-    for (std::size_t k = 0; k < robot.states.size(); ++k) call(k, result.data());
+    for (std::size_t k = 0; k < robot.states.size(); ++k) call(k);
     const std::chrono::duration<double, std::nano> took = Clock::now() - start;
     best = std::min(best, took.count() / static_cast<double>(robot.states.size()));
   }
@@ -96,9 +97,8 @@ int main(int count, char** arguments) {
     if (count == 6) {
       const Implementation& one = all[static_cast<std::size_t>(std::atoi(arguments[3]))];
       if (arguments[4] != std::string(function_names[f])) continue;
-      Numbers result(3 * robot.size * robot.size);
       const auto calls = static_cast<std::size_t>(std::atoi(arguments[5]));
-      for (std::size_t k = 0; k < calls; ++k) one.calls[f](k % robot.states.size(), result.data());
+      for (std::size_t k = 0; k < calls; ++k) one.calls[f](k % robot.states.size());
       continue;
     }
     std::printf("%s", function_names[f]);

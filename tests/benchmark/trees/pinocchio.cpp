@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pinocchio's own loops, of its headers alone, so that they have the flags of what they are compared with.
+#include <algorithm>
 #include <numeric>
 
 #include <pinocchio/algorithm/aba-derivatives.hpp>
@@ -25,34 +26,31 @@ Model model;
 Data* data = nullptr;
 std::vector<Motion> motions;
 
-void store(const Eigen::MatrixXd& value, double* result, int place = 0) {
-  Eigen::Map<Eigen::MatrixXd>(result + place * model.nv * model.nv, model.nv, value.cols()) = value;
-}
-void store_vector(const Vector& value, double* result) { Eigen::Map<Vector>(result, model.nv) = value; }
-
-void inverse_dynamics(std::size_t k, double* result) {
+void inverse_dynamics(std::size_t k) {
   const Motion& m = motions[k];
-  store_vector(pinocchio::rnea(model, *data, m.q, m.v, m.a), result);
+  pinocchio::rnea(model, *data, m.q, m.v, m.a);
 }
-void mass_matrix(std::size_t k, double* result) {
-  store(pinocchio::crba(model, *data, motions[k].q, pinocchio::Convention::WORLD), result);
-}
-void forward_dynamics(std::size_t k, double* result) {
+void mass_matrix(std::size_t k) { pinocchio::crba(model, *data, motions[k].q, pinocchio::Convention::WORLD); }
+void forward_dynamics(std::size_t k) {
   const Motion& m = motions[k];
-  store_vector(pinocchio::aba(model, *data, m.q, m.v, m.a, pinocchio::Convention::LOCAL), result);
+  pinocchio::aba(model, *data, m.q, m.v, m.a, pinocchio::Convention::LOCAL);
 }
-void inverse_derivatives(std::size_t k, double* result) {
+void inverse_derivatives(std::size_t k) {
   const Motion& m = motions[k];
   pinocchio::computeRNEADerivatives(model, *data, m.q, m.v, m.a);
-  store(data->dtau_dq, result);
-  store(data->dtau_dv, result, 1);
 }
-void forward_derivatives(std::size_t k, double* result) {
+void forward_derivatives(std::size_t k) {
   const Motion& m = motions[k];
   pinocchio::computeABADerivatives(model, *data, m.q, m.v, m.a);
-  store(data->ddq_dq, result);
-  store(data->ddq_dv, result, 1);
-  store(data->Minv, result, 2);
+}
+
+/// Copies vectors or matrices one behind the other.
+template <class... Values>
+void copy(double* result, const Values&... values) {
+  const auto add = [&](const Eigen::MatrixXd& value) {
+    result = std::copy(value.data(), value.data() + value.size(), result);
+  };
+  (add(values), ...);
 }
 
 }  // namespace
@@ -67,9 +65,13 @@ Implementation of_pinocchio(const Robot& robot, const std::string& file) {
   for (const State& s : robot.states) motions.push_back({vector(s.q), vector(s.v), vector(s.a)});
   std::vector<std::size_t> place(robot.size);
   std::iota(place.begin(), place.end(), std::size_t{0});
-  return {"Pinocchio",
-          {inverse_dynamics, mass_matrix, forward_dynamics, inverse_derivatives, forward_derivatives},
-          place};
+  return {
+      "Pinocchio",
+      {inverse_dynamics, mass_matrix, forward_dynamics, inverse_derivatives, forward_derivatives},
+      {[](double* to) { copy(to, data->tau); }, [](double* to) { copy(to, data->M); },
+       [](double* to) { copy(to, data->ddq); }, [](double* to) { copy(to, data->dtau_dq, data->dtau_dv); },
+       [](double* to) { copy(to, data->ddq_dq, data->ddq_dv, data->Minv); }},
+      place};
 }
 
 }  // namespace qvgen::benchmark::trees

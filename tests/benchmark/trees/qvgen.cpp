@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated functions of the robot ROBOT, as programs that use them call them.
 #include <algorithm>
+#include <new>
 
 #include <qvgen/forward_dynamics_derivatives.h>
 
@@ -63,25 +64,43 @@ std::vector<std::size_t> places(const Robot& robot) {
   return result;
 }
 
-void store(const Vector& value, double* result) { Eigen::Map<Vector>{result} = value; }
-void store(const Matrix& value, double* result, int place = 0) {
-  Eigen::Map<Matrix>(result + place * size * size) = value;
+/// Room for what a function returns, which is constructed there, as it is in a variable of a program.
+template <class Result>
+struct Room {
+  template <class Function>
+  void take(const Function& function) {
+    new (bytes) Result(function());
+  }
+  const Result& result() const { return *std::launder(reinterpret_cast<const Result*>(bytes)); }
+  alignas(Result) unsigned char bytes[sizeof(Result)];
+};
+using Derivatives = robot::InverseDynamicsDerivatives<double>;
+using ForwardDerivatives = ForwardDynamicsDerivatives<double, size>;
+Room<Vector> forces, accelerations;
+Room<Matrix> mass;
+Room<Derivatives> of_forces;
+Room<ForwardDerivatives> of_accelerations;
+
+/// Copies vectors or matrices one behind the other.
+template <class... Values>
+void copy(double* result, const Values&... values) {
+  ((result = std::copy(values.data(), values.data() + values.size(), result)), ...);
 }
 
-void inverse_dynamics(std::size_t k, double* result) {
+void inverse_dynamics(std::size_t k) {
   const Motion& m = motions[k];
-  store(robot::inverse_dynamics(m.at, m.qd, m.qdd), result);
+  forces.take([&] { return robot::inverse_dynamics(m.at, m.qd, m.qdd); });
 }
-void mass_matrix(std::size_t k, double* result) { store(robot::mass_matrix(motions[k].at), result); }
-void forward_dynamics(std::size_t k, double* result) {
-  const Motion& m = motions[k];
-  store(robot::forward_dynamics(m.at, m.qd, m.qdd), result);
+void mass_matrix(std::size_t k) {
+  mass.take([&] { return robot::mass_matrix(motions[k].at); });
 }
-void inverse_derivatives(std::size_t k, double* result) {
+void forward_dynamics(std::size_t k) {
   const Motion& m = motions[k];
-  const auto found = robot::inverse_dynamics_derivatives(m.at, m.qd, m.qdd);
-  store(found.by_position, result);
-  store(found.by_rate, result, 1);
+  accelerations.take([&] { return robot::forward_dynamics(m.at, m.qd, m.qdd); });
+}
+void inverse_derivatives(std::size_t k) {
+  const Motion& m = motions[k];
+  of_forces.take([&] { return robot::inverse_dynamics_derivatives(m.at, m.qd, m.qdd); });
 }
 #if QVGEN_FLOATING
 /// Sines and cosines are computed once.
@@ -107,14 +126,11 @@ struct Computed {
 };
 #endif
 
-void forward_derivatives(std::size_t k, double* result) {
+void forward_derivatives(std::size_t k) {
   const Computed at{motions[k]};
-  const BranchFactorisation mass(at.mass(), parents);
-  const Vector qdd = mass.solve(motions[k].qdd - at.forces(Vector::Zero()));
-  const auto found = forward_dynamics_derivatives(mass, at.derivatives(qdd));
-  store(found.by_position, result);
-  store(found.by_rate, result, 1);
-  store(found.by_torque, result, 2);
+  const BranchFactorisation factors(at.mass(), parents);
+  const Vector qdd = factors.solve(motions[k].qdd - at.forces(Vector::Zero()));
+  of_accelerations.take([&] { return forward_dynamics_derivatives(factors, at.derivatives(qdd)); });
 }
 
 }  // namespace
@@ -124,6 +140,13 @@ Implementation of_qvgen(const Robot& robot) {
   for (const State& state : robot.states) motions.push_back(motion(state, place));
   return {"qvgen",
           {inverse_dynamics, mass_matrix, forward_dynamics, inverse_derivatives, forward_derivatives},
+          {[](double* to) { copy(to, forces.result()); }, [](double* to) { copy(to, mass.result()); },
+           [](double* to) { copy(to, accelerations.result()); },
+           [](double* to) { copy(to, of_forces.result().by_position, of_forces.result().by_rate); },
+           [](double* to) {
+             const ForwardDerivatives& found = of_accelerations.result();
+             copy(to, found.by_position, found.by_rate, found.by_torque);
+           }},
           place};
 }
 
