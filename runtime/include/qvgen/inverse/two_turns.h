@@ -91,7 +91,8 @@ Rotor<Scalar> unit_turn_again(const Rotor<Scalar>& u) {
 /// there. Returns false else.
 template <typename Scalar>
 bool take_turns(const Rotor<Scalar>& at, const Rotor<Scalar>& with, TurnSearch<Scalar>& search) {
-  Rotor<Scalar> u = at, v = with;
+  // Middles of arcs have the digits of double; both corrections together give those of any scalar.
+  Rotor<Scalar> u = unit_turn_again(unit_turn_again(at)), v = with;
   const Scalar still = Scalar(2) * epsilon<Scalar>(), rounding = Scalar(64) * epsilon<Scalar>(),
                most = Scalar(0.3);
   Scalar last(64);  // more than any gap
