@@ -26,6 +26,10 @@ dag::Function factor(const dag::Function& function);
 /// Pairs of operands that several sums (or products) share become a node of their own, most frequent first.
 dag::Function share(const dag::Function& function);
 
+/// a/d, b/d -> a r, b r with r = 1/d. Not among all passes, since it rounds once more: for functions with
+/// many divisions by few divisors.
+dag::Function share_reciprocals(const dag::Function& function);
+
 /// The passes in their order.
 const std::vector<Pass>& all_passes();
 

@@ -18,6 +18,7 @@
 #include "emit/template_values.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
+#include "passes/pass.h"
 #include "pipeline/assembly.h"
 #include "verify/loops/certify_loops.h"
 
@@ -92,7 +93,7 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
                     const std::vector<std::string>& places, const Dialect& dialect) {
   std::vector<std::string> all;
   for (const auto& output : program.outputs()) all.push_back(output.name);
-  dag::Function function = derive::inverse::lowered(program, all);
+  dag::Function function = passes::share_reciprocals(derive::inverse::lowered(program, all));
   std::vector<std::string> kept;
   // Zeros stay as they were set.
   std::vector<dag::Output> outputs;

@@ -68,6 +68,14 @@ TEST_F(PassTest, ShareFindsCommonPairs) {
   EXPECT_EQ(operations(passes::share(f)), (std::pair{3, 3}));
 }
 
+TEST_F(PassTest, ShareReciprocalsDividesOnceByADivisor) {
+  output(g.quotient(a, c));
+  output(g.quotient(-b, c));
+  output(g.quotient(a, d));
+  EXPECT_EQ(dag::count(f).divisions, 3);
+  EXPECT_EQ(dag::count(passes::share_reciprocals(f)).divisions, 2);
+}
+
 TEST_F(PassTest, ShareSeesOppositeSigns) {
   output(g.sum({a, -b, c}));
   output(g.sum({b, -a, d}));

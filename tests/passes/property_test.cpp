@@ -47,7 +47,13 @@ TEST_P(EveryPass, DependsOnStructureAlone) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, EveryPass, testing::ValuesIn(passes::all_passes()),
+std::vector<passes::Pass> passes_and_reciprocals() {
+  std::vector<passes::Pass> all = passes::all_passes();
+  all.push_back({"share_reciprocals", passes::share_reciprocals});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Passes, EveryPass, testing::ValuesIn(passes_and_reciprocals()),
                          [](const auto& pass) { return std::string(pass.param.name); });
 
 TEST(Simplify, KeepsExactValuesAndNeverAddsOperations) {

@@ -38,6 +38,15 @@ namespace inverse {
 /// Two assemblies that meet are one if their joints, rad or m, are nearer than this: the root of rounding.
 inline constexpr double same_assembly = 6e-8;
 
+/// True if the values of all joints that are not given are finite.
+template <int dof, std::size_t count>
+bool are_finite(const Joints<dof>& q, const std::array<bool, count>& given) {
+  double zero = 0;  // infinity times zero is no number
+  for (int i = 0; i < dof; ++i)
+    if (!given[static_cast<std::size_t>(i)]) zero += 0 * q[i];
+  return zero == 0;
+}
+
 /// Appends a row, but for one that an earlier row it meets is; for generated code.
 template <int dof, int capacity, std::size_t count>
 void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch, bool is_free,

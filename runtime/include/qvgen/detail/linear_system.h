@@ -69,7 +69,7 @@ class LinearSystem {
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) subtract(row(i)[k], x[k], x[i]);
     for (std::size_t k = n; k-- > 0;) {
-      for (double& each : x[k]) each /= row(k)[k];
+      for (double& each : x[k]) each *= reciprocals_[k];
       for (std::size_t i = 0; i < k; ++i) subtract(row(i)[k], x[k], x[i]);
     }
     Eigen::Matrix<double, size, columns> result;
@@ -84,7 +84,7 @@ class LinearSystem {
     for (std::size_t k = 0; k < n; ++k) {
       y[k] = right[static_cast<int>(k)];
       for (std::size_t i = 0; i < k; ++i) y[k] -= row(i)[k] * y[i];
-      y[k] /= row(k)[k];
+      y[k] *= reciprocals_[k];
     }
     for (std::size_t k = n; k-- > 0;)
       for (std::size_t i = k + 1; i < n; ++i) y[k] -= row(i)[k] * y[i];
@@ -130,18 +130,19 @@ class LinearSystem {
   template <std::size_t k>
   [[gnu::always_inline]] inline void eliminate() {
     const Row& pivots = row(k);
-    const double pivot = pivots[k];
-    if (pivot == 0) return;
+    reciprocals_[k] = 1 / pivots[k];
+    if (pivots[k] == 0) return;
     for (std::size_t i = k + 1; i < n; ++i) {
       Row& lower = rows_[order_[i]];
-      const double factor = lower[k] / pivot;
+      const double factor = lower[k] * reciprocals_[k];
       lower[k] = factor;
       for (std::size_t j = k + 1; j < n; ++j) lower[j] -= factor * pivots[j];
     }
   }
 
   std::array<Row, n> rows_;  ///< of the matrix in its order: factors below the diagonal, on it and above
-  std::array<std::size_t, n> order_;  ///< of rows, as pivots come
+  std::array<std::size_t, n> order_;   ///< of rows, as pivots come
+  std::array<double, n> reciprocals_;  ///< of pivots: a system divides as often as it has rows
   double sign_ = 1;
 };
 

@@ -209,8 +209,10 @@ inline constexpr double turn_rounding = 450;
 /// Two solutions nearer than this are one: at least, and at most where curves touch.
 inline constexpr double same_turn = digits(1e-9);
 inline constexpr double same_turn_at_most = digits(1e-6);
-/// The root of an arc's polynomial is near enough for Newton's steps on the equations, rad.
-inline constexpr double next_to_root = digits(1e-5);
+/// The step to the root of an arc's polynomial that is the last, rad: its fourth power is left.
+inline constexpr double next_to_root = digits(2e-3);
+/// How much more than its square is left by Newton's step on both equations, as a root.
+inline constexpr double step_to_rest = 8;
 
 // Loops.
 

@@ -80,10 +80,19 @@ bool keep_turns(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& ap
   return true;
 }
 
-/// Newton's steps from a candidate; keeps where they end if both equations hold there. Returns false else.
+/// A turn that is as long as one but for rounding, brought to length one without a root.
+template <typename Scalar>
+Rotor<Scalar> unit_turn_again(const Rotor<Scalar>& u) {
+  const Scalar square = u.cosine * u.cosine + u.sine * u.sine;
+  return Scalar(Scalar(1.5) - Scalar(0.5) * square) * u;
+}
+
+/// Newton's steps from a candidate, two turns of length one; keeps where they end if both equations hold
+/// there. Returns false else.
 template <typename Scalar>
 bool take_turns(const Rotor<Scalar>& at, const Rotor<Scalar>& with, TurnSearch<Scalar>& search) {
-  Rotor<Scalar> u = unit_turn(at), v = unit_turn(with);
+  // Middles of arcs have the digits of double; both corrections together give those of any scalar.
+  Rotor<Scalar> u = unit_turn_again(unit_turn_again(at)), v = with;
   const Scalar still = Scalar(2) * epsilon<Scalar>(), rounding = Scalar(64) * epsilon<Scalar>(),
                most = Scalar(0.3);
   Scalar last(64);  // more than any gap
@@ -101,7 +110,8 @@ bool take_turns(const Rotor<Scalar>& at, const Rotor<Scalar>& with, TurnSearch<S
     if (gap < rounding && !(gap < Scalar(0.5) * last)) break;
     last = gap;
     if (!(apart > Scalar(tolerance::curves_touch))) break;
-    Scalar du = (a_v * gap_b - b_v * gap_a) / determinant, dv = (b_u * gap_a - a_u * gap_b) / determinant;
+    const Scalar share = Scalar(1) / determinant;
+    Scalar du = (a_v * gap_b - b_v * gap_a) * share, dv = (b_u * gap_a - a_u * gap_b) * share;
     const Scalar longest = magnitude(du) < magnitude(dv) ? magnitude(dv) : magnitude(du);
     if (!(longest < Scalar(tolerance::lost_turn))) return false;
     if (longest > most) {
@@ -110,9 +120,11 @@ bool take_turns(const Rotor<Scalar>& at, const Rotor<Scalar>& with, TurnSearch<S
     }
     u = turned_by(u, du);
     v = turned_by(v, dv);
-    if (longest < still) break;
+    // The rest is at most the square of the step, magnified where curves nearly touch.
+    const Scalar magnified = Scalar(tolerance::step_to_rest) * longest;
+    if (longest < still || magnified * magnified < still * apart * apart) break;
   }
-  return keep_turns(unit_turn(u), unit_turn(v), apart, search);
+  return keep_turns(unit_turn_again(u), unit_turn_again(v), apart, search);
 }
 
 /// Tries u with the v that both waves have in common. Returns false if they tell none.
@@ -150,7 +162,15 @@ void try_turns(const Rotor<Scalar>& u, TurnSearch<Scalar>& search) {
   take_both_turns(u, search);
 }
 
-/// Newton's steps within the arc, where the slope has one sign. Those on both equations do the rest. `half`:
+/// How far the nearest root of a jet is, by the series of its inverse: what is left is of the fourth order.
+template <typename Scalar>
+Scalar way_to_root(const Jet<Scalar>& at) {
+  const Scalar share = Scalar(1) / at.slope;
+  const Scalar way = -at.value * share, bend = Scalar(0.5) * at.curvature * share;
+  return way * (Scalar(1) + way * ((Scalar(2) * bend * bend - at.third * share / Scalar(6)) * way - bend));
+}
+
+/// Steps to the arc's root, where the slope has one sign. Newton's on both equations do the rest. `half`:
 /// half of the arc's length, rad.
 template <typename Scalar>
 void take_one_root(const Rotor<Scalar>& middle, const Jet<Scalar>& start, const Scalar& half,
@@ -160,15 +180,16 @@ void take_one_root(const Rotor<Scalar>& middle, const Jet<Scalar>& start, const 
   const Scalar farthest = Scalar(1.01) * half;
   Scalar from(0);
   for (int step = 0; step < 8; ++step) {
-    Scalar to = from - at.value / at.slope;
-    if (magnitude(to) > farthest) {
+    Scalar to = from + way_to_root(at);
+    const bool is_inside = magnitude(to) <= farthest;
+    if (!is_inside) {
       if (magnitude(from) == farthest) return;  // the root is outside
       to = with_sign(farthest, to);
     }
-    const bool is_still = magnitude(to - from) < Scalar(tolerance::next_to_root);
+    const Scalar way = to - from;
     from = to;
-    u = turned_by(middle, from);
-    if (is_still) break;
+    u = turned_by(u, Scalar(way + way * way * way / Scalar(12)));
+    if (is_inside && magnitude(way) < Scalar(tolerance::next_to_root)) break;
     at = jet_at(search.f, u);
   }
   if (!take_common_turn(u, search)) take_both_turns(u, search);
