@@ -162,7 +162,7 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   const Placed placed(result.arm);
   result.joints = placed.joints;
   result.tool = placed.tool;
-  result.is_constant = problem.given < 0 && !problem.has_heading() && is_in_numbers(described);
+  result.is_constant = problem.given < 0 && is_in_numbers(described);
   choose_eliminations(result);
   if (result.choices.count == 0) return std::nullopt;
   return result;
