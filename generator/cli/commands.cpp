@@ -150,9 +150,8 @@ void show_derived_arm(const model::Robot& robot, const pipeline::InverseDerivati
     if (!joint.follows.empty())
       fmt::print("In joints, with {} = {}.\n", joint.variable, model::relation_text(joint.follows));
   if (derivation.outer)
-    fmt::print(
-        "Joints at the ends of the arm are given and move the pose; what follows is of the {} others.\n",
-        derivation.arm.joints.size());
+    fmt::print("Given joints move the pose or are constants of the arm; what follows is of the {} others.\n",
+               derivation.arm.joints.size());
 }
 
 int show_inverse(const model::Robot& robot, emit::Notation notation) {

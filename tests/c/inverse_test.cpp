@@ -3,6 +3,8 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <qvgen/robots/inclined_seven/inverse.h>
+#include <qvgen/robots/inclined_seven/kinematics.h>
 #include <qvgen/robots/jaco2.h>
 #include <qvgen/robots/seven_joints/inverse.h>
 #include <qvgen/robots/seven_joints/kinematics.h>
@@ -113,6 +115,71 @@ TEST(InverseInC, AJointThatIsGiven) {
     ASSERT_EQ(near.size(), 1);
     EXPECT_EQ(next, near[0].q);
   }
+}
+
+/// A part of a pose, with two joints given: rows, next to a seed, within limits. Rows have the inclination.
+TEST(InverseInC, APartOfAPose) {
+  namespace seven = qvgen::robots::inclined_seven;
+  using Joints = seven::JointVector<double>;
+  const auto up_at = [](const Joints& q) -> Eigen::Vector3d {
+    return seven::forward_kinematics(q).orientation.conjugate() * Eigen::Vector3d::UnitZ();
+  };
+  std::mt19937 random(5);
+  int fewer = 0, outside = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Joints q = any<Joints>(random), seed = any<Joints>(random);
+    const auto pose = seven::forward_kinematics(q);
+    const qvgen::PositionAndInclination<double> task{pose.position, up_at(q)};
+    const double given[] = {q[0], q[6]};
+    const double *at = task.position.data(), *up = task.up.data();
+    seven_rows found{};
+    int count = inclined_in_c(at, up, given, seed.data(), &found);
+    EXPECT_EQ(found.capacity, seven::inverse_info_given_rail_q7.capacity);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_rail_q7(task, q[0], q[6], seed), count, found));
+    EXPECT_GT(count, 0);
+    for (int k = 0; k < count; ++k) {
+      const Joints row(found.q[k]);
+      EXPECT_LT((seven::forward_kinematics(row).position - task.position).norm(), 1e-9);
+      EXPECT_LT((up_at(row) - task.up).norm(), 1e-9);
+    }
+    const int all = count;
+    count = inclined_in_c(at, up, given, nullptr, &found);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_rail_q7(task, q[0], q[6]), count, found));
+    count = inclined_pose_in_c(numbers_of(pose).data(), given, seed.data(), &found);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_rail_q7(pose, q[0], q[6], seed), count, found));
+    const seven::Limits limits(q.array() - 1, q.array() + 2);
+    count =
+        inclined_within_in_c(at, up, given, seed.data(), limits.lower.data(), limits.upper.data(), &found);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_rows(seven::inverse_kinematics_given_rail_q7(task, q[0], q[6], seed, limits), count, found));
+    fewer += count < all ? 1 : 0;
+    Joints next = q + 0.01 * any<Joints>(random), kept = next;
+    const auto near = seven::inverse_kinematics_near_given_rail_q7(task, q[0], q[6], next);
+    int status = -1;
+    ASSERT_EQ(inclined_near_in_c(at, up, given, next.data(), &status), near.size());
+    EXPECT_EQ(status, static_cast<int>(near.status));
+    ASSERT_EQ(near.size(), 1);
+    EXPECT_EQ(next, near[0].q);
+    const Joints beyond = q.array() + 1e-3;
+    ASSERT_EQ(inclined_near_within_in_c(at, up, given, limits.lower.data(), limits.upper.data(), kept.data(),
+                                        &status),
+              1);
+    EXPECT_EQ(kept, near[0].q);
+    outside += inclined_near_within_in_c(at, up, given, beyond.data(), limits.upper.data(), kept.data(),
+                                         &status) == 0
+                   ? 1
+                   : 0;
+    EXPECT_EQ(kept, near[0].q);
+  }
+  EXPECT_GT(fewer, 10);
+  EXPECT_EQ(outside, 50);
+  const double odd[] = {0, std::nan(""), 1}, place[] = {0.1, 0.2, 0.3}, given[] = {0, 0};
+  seven_rows found{};
+  EXPECT_EQ(inclined_in_c(place, odd, given, nullptr, &found), 0);
+  EXPECT_EQ(found.status, static_cast<int>(qvgen::Status::invalid));
 }
 
 TEST(InverseInC, LittleRoom) {

@@ -181,9 +181,11 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
     EXPECT_TRUE(has(shown, reason)) << shown.output;
   };
   refused(arm(five_joints, "task = \"position\"\n"),
-          "the task position is none for this arm: it may be asked for position_and_direction");
+          "5 joints: the task position fixes 3; name 2 whose values are given");
   refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
   refused(arm(six_joints, "task = \"position\"\n"),
+          "6 joints: the task position fixes 3; name 3 whose values are given: given = \"q1, q2, q3\"");
+  refused(arm(six_joints, "task = \"position_and_yaw\"\n"),
           "it may be asked for pose, position_and_direction or position_and_inclination with a joint given");
   refused(arm(six_joints, "given = \"q5\"\n"),
           "six that are asked for a position and a direction (task = \"position_and_direction\")");
@@ -192,12 +194,13 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");
   refused(arm("Px; Py; Pz; Rz 0 0 0.1; Ry 0.1 0 0", "task = \"position_and_inclination\"\n"),
           "by elimination: more than two of the joints slide");
-  refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q4, q5\"\n"),
-          "of the 2 given joints all but one have to be the first or the last of the arm");
+  refused(
+      arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q3, q4, q5\"\n"),
+      "of the 3 joints that may be given 2 are: name these alone, or such that all but one are the first or "
+      "the last of the arm");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1; Rz 0 0 0.1"),
-          "name 3 whose values are given, all but one of them the first or the last of the arm: "
-          "given = \"q1, q2, q3\"");
+          "name 3 whose values are given: given = \"q1, q2, q3\"");
 }
 
 /// Three axes are parallel, and the sixth passes the fifth: by a quartic only if no two neighbours pass each

@@ -146,10 +146,11 @@ TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
 /// All blocks of inverse kinematics: templates, and what is read from headers of the runtime.
 TEST(Blocks, AllAreInTheSubset) {
   const std::string sizes = R"(
-enum { dof = 6, whole_dof = 8, first_inner = 1, bounded = 7, turn_count = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8, gap_count = 4, passive_count = 3, driven_count = 3, system_size = 3 };
+enum { dof = 6, whole_dof = 8, first_inner = 1, first_behind = 7, bounded = 7, turn_count = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8, gap_count = 4, passive_count = 3, driven_count = 3, system_size = 3 };
 enum { status_solved, status_singular, status_unreachable, status_invalid, status_incomplete };
 static const bool is_revolute[row_size] = {true, true, true, true, true, true};
 static const bool whole_is_revolute[whole_dof] = {true, true, true, true, true, true, true, true};
+static const int inner_places[dof] = {1, 2, 3, 4, 5, 6};
 typedef struct Effort {
   int passes, steps, used_up;
 } Effort;

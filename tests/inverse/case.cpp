@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "reference/linear_algebra.h"
+
 namespace qvgen::test {
 
 Case::Case(const InverseUnderTest& robot)
@@ -32,9 +34,14 @@ Eigen::Vector3d Case::axis(int joint, const Eigen::VectorXd& q) const {
 }
 
 int Case::base_joint() const {
+  if (base_) return *base_;
+  const int given = robot_.info.given_joint;
   int joint = 0;
-  while (joint == robot_.info.given_joint || !revolute(joint)) ++joint;
-  return joint;
+  while (joint == given || !revolute(joint)) ++joint;
+  base_ = joint;
+  if (!asks_inclination() || given < 0 || given > joint || !revolute(given)) return joint;
+  if (reference::rank(jacobian(Eigen::VectorXd::LinSpaced(dof(), 0.4, 1.3)), 1e-9) < dof() - 1) base_ = given;
+  return *base_;
 }
 
 int Case::pitch_joint() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -87,7 +88,8 @@ class Case {
   /// q moved by a step of the joints that are solved for.
   [[nodiscard]] Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const;
 
-  /// The axis of the first joint that turns and is not given, as a tool there sees it.
+  /// The axis of the first joint that turns and is not given, as a tool there sees it; of the given one where
+  /// the others cannot incline the tool about that.
   [[nodiscard]] Eigen::Vector3d base_seen(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) const {
     return tool.linear().transpose() * axis(base_joint(), q);
   }
@@ -110,6 +112,7 @@ class Case {
   reference::Chain chain_;
   std::mt19937_64 random_{20070711};
   std::map<std::string, Searches> searches_;
+  mutable std::optional<int> base_;
 };
 
 }  // namespace qvgen::test

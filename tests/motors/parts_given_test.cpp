@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Several given joints beside a part of a pose, in C++ and C: rows keep the given values and reach that part,
 // the joints that it was made from are there. The reference has equations of its own.
+#include <iterator>
 #include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
+#include <qvgen/robots/held_level.h>
+#include <qvgen/robots/held_pitch.h>
+#include <qvgen/robots/held_place.h>
+#include <qvgen/robots/held_torch.h>
 #include <qvgen/robots/rail_pitch.h>
 #include <qvgen/robots/torso_torch.h>
 #include <qvgen/robots/turned_level.h>
+#include <qvgen_held_level_inverse.h>
+#include <qvgen_held_pitch_inverse.h>
+#include <qvgen_held_place_inverse.h>
+#include <qvgen_held_torch_inverse.h>
 #include <qvgen_rail_pitch_inverse.h>
 #include <qvgen_torso_torch_inverse.h>
 #include <qvgen_turned_level_inverse.h>
@@ -111,6 +120,111 @@ struct TorsoTorch {
   }
 };
 
+struct HeldPitch {
+  static constexpr const char* name = "held_pitch";
+  static constexpr int dof = 6, given[] = {2, 5};
+  static constexpr auto& info = robots::held_pitch::inverse_info_given_boom_roll;
+  using Task = PositionAndPitch<double>;
+  using Set = held_pitch_solutions;
+  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
+    const Vector3d base = arm.axis(q, 0), across = arm.axis(q, 1), along = arm.tool(q).linear().col(0);
+    return {arm.tool(q).translation(), std::atan2(across.dot(base.cross(along)), base.dot(along))};
+  }
+  static double miss(const Task& a, const Task& b) { return std::remainder(a.pitch - b.pitch, 2 * pi); }
+  template <class Asked, class... More>
+  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_pitch::inverse_kinematics_given_boom_roll(asked, q[2], q[5], more...);
+  }
+  template <class Asked, class... More>
+  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_pitch::inverse_kinematics_near_given_boom_roll(asked, q[2], q[5], more...);
+  }
+  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
+    held_pitch_inverse_kinematics_given_boom_roll_of_position_and_pitch(
+        task.position.data(), task.pitch, q[2], q[5], seed, nullptr, held_pitch_default_tolerance, found);
+  }
+};
+
+struct HeldLevel {
+  static constexpr const char* name = "held_level";
+  static constexpr int dof = 7, given[] = {2, 4};
+  static constexpr auto& info = robots::held_level::inverse_info_given_boom_knuckle;
+  using Task = PositionAndInclination<double>;
+  using Set = held_level_solutions;
+  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
+    return {arm.tool(q).translation(), arm.tool(q).linear().transpose() * arm.axis(q, 0)};
+  }
+  static double miss(const Task& a, const Task& b) { return (a.up - b.up).norm(); }
+  template <class Asked, class... More>
+  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_level::inverse_kinematics_given_boom_knuckle(asked, q[2], q[4], more...);
+  }
+  template <class Asked, class... More>
+  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_level::inverse_kinematics_near_given_boom_knuckle(asked, q[2], q[4], more...);
+  }
+  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
+    held_level_inverse_kinematics_given_boom_knuckle_of_position_and_inclination(
+        task.position.data(), task.up.data(), q[2], q[4], seed, &held_level_default_geometry,
+        held_level_default_tolerance, found);
+  }
+};
+
+struct HeldTorch {
+  static constexpr const char* name = "held_torch";
+  static constexpr int dof = 8, given[] = {0, 3, 5};
+  static constexpr auto& info = robots::held_torch::inverse_info_given_table_boom_second;
+  using Task = PositionAndDirection<double>;
+  using Set = held_torch_solutions;
+  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
+    return {arm.tool(q).translation(), arm.tool(q).linear().col(0)};
+  }
+  static double miss(const Task& a, const Task& b) { return (a.direction - b.direction).norm(); }
+  template <class Asked, class... More>
+  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_torch::inverse_kinematics_given_table_boom_second(asked, q[0], q[3], q[5], more...);
+  }
+  template <class Asked, class... More>
+  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_torch::inverse_kinematics_near_given_table_boom_second(asked, q[0], q[3], q[5],
+                                                                               more...);
+  }
+  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
+    held_torch_inverse_kinematics_given_table_boom_second_of_position_and_direction(
+        task.position.data(), task.direction.data(), q[0], q[3], q[5], seed, nullptr,
+        held_torch_default_tolerance, found);
+  }
+};
+
+/// A position, and no more.
+struct Place {
+  Vector3d position;
+};
+inline const Vector3d& place_of(const Place& place) { return place.position; }
+inline const Pose<double>& place_of(const Pose<double>& pose) { return pose; }
+
+struct HeldPlace {
+  static constexpr const char* name = "held_place";
+  static constexpr int dof = 5, given[] = {2, 4};
+  static constexpr auto& info = robots::held_place::inverse_info_given_boom_roll;
+  using Task = Place;
+  using Set = held_place_solutions;
+  static Task task(const Reference& arm, const Eigen::VectorXd& q) { return {arm.tool(q).translation()}; }
+  static double miss(const Task& /*a*/, const Task& /*b*/) { return 0; }
+  template <class Asked, class... More>
+  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_place::inverse_kinematics_given_boom_roll(place_of(asked), q[2], q[4], more...);
+  }
+  template <class Asked, class... More>
+  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
+    return robots::held_place::inverse_kinematics_near_given_boom_roll(place_of(asked), q[2], q[4], more...);
+  }
+  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
+    held_place_inverse_kinematics_given_boom_roll_of_position(task.position.data(), q[2], q[4], seed, nullptr,
+                                                              held_place_default_tolerance, found);
+  }
+};
+
 template <class Arm>
 class PartsGiven : public testing::Test {
  protected:
@@ -134,12 +248,13 @@ class PartsGiven : public testing::Test {
  private:
   std::mt19937 random_{11};
 };
-using PartArms = testing::Types<RailPitch, TurnedLevel, TorsoTorch>;
+using PartArms =
+    testing::Types<RailPitch, TurnedLevel, TorsoTorch, HeldPitch, HeldLevel, HeldTorch, HeldPlace>;
 TYPED_TEST_SUITE(PartsGiven, PartArms);
 
 TYPED_TEST(PartsGiven, AreToldByTheInfo) {
-  EXPECT_EQ(TypeParam::info.given_joint, 0);
-  EXPECT_EQ(TypeParam::info.more_given, 1);
+  EXPECT_EQ(TypeParam::info.given_joint, TypeParam::given[0]);
+  EXPECT_EQ(TypeParam::info.more_given, static_cast<int>(std::size(TypeParam::given)) - 1);
 }
 
 TYPED_TEST(PartsGiven, RowsReachThePartThatIsAskedFor) {
@@ -183,7 +298,8 @@ TYPED_TEST(PartsGiven, TakeSeedsAndLimits) {
     const auto inside = TypeParam::solve(task, q, q, limits);
     ASSERT_GE(inside.size(), 1);
     EXPECT_LT((inside[0].q - q).norm(), 1e-6);
-    limits.lower[0] = q[0] + 0.01;  // the given value is outside
+    const int given = TypeParam::given[1];
+    limits.lower[given] = q[given] + 0.01;  // the given value is outside
     EXPECT_TRUE(TypeParam::solve(task, q, q, limits).empty());
   }
 }

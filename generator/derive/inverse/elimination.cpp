@@ -130,8 +130,16 @@ std::vector<Problem> problems_of(const Robot& robot) {
       for (const model::Vector3& axis : tool_axes(robot.inverse))
         result.push_back(held(with_turn(problem_of(robot, task), axis), joint));
   if (count == six && leaves_heading)
-    for (const std::size_t joint : given_from_the_tool(robot))
+    for (const std::size_t joint : given_from_the_tool(robot)) {
       result.push_back(held(with_heading(problem_of(robot, task)), joint));
+      // Behind a spherical wrist a shoulder and an elbow leave the wrist's centre in a plane: about their own
+      // axis they cannot incline the tool. What stands before them may be upright.
+      const bool is_upright = robot.joints[joint].type == model::JointType::revolute &&
+                              static_cast<int>(joint) < result.back().heading_joint();
+      if (!is_upright) continue;
+      result.push_back(result.back());
+      result.back().heading = static_cast<int>(joint);
+    }
   if (count + 1 == six && leaves_heading) result.push_back(with_heading(problem_of(robot, task)));
   // A heading about no joint of the arm's own is about nothing.
   if (leaves_heading)
@@ -162,7 +170,7 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   const Placed placed(result.arm);
   result.joints = placed.joints;
   result.tool = placed.tool;
-  result.is_constant = problem.given < 0 && !problem.has_heading() && is_in_numbers(described);
+  result.is_constant = problem.given < 0 && is_in_numbers(described);
   choose_eliminations(result);
   if (result.choices.count == 0) return std::nullopt;
   return result;

@@ -24,7 +24,8 @@ struct EliminationDerivation {
   /// All that does not depend on the pose: where the geometry has symbols or a joint is given, of one such
   /// arm, for people.
   qvgen::inverse::elimination::Setup setup;
-  bool is_constant = true;  ///< no symbols, no given joint, no heading: set up before any pose is known
+  /// No symbols and no given joint: set up before any pose is known, with a heading for any inclination.
+  bool is_constant = true;
   qvgen::inverse::elimination::Choices choices;  ///< for arms that are set up at run time
 
   template <int dof>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "derive/inverse/elimination_choice.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <qvgen/inverse/elimination/any_arm.h>
 
@@ -62,6 +64,46 @@ elimination::Sample with_heading(const EliminationDerivation& derivation, int nu
   return sample;
 }
 
+/// The choices whose equations hold for any inclination; all, if two joints slide: there are no equations.
+elimination::Choices for_any_heading(const elimination::Choices& choices, bool two_slide) {
+  elimination::Choices result;
+  result.score = choices.score;
+  for (int i = 0; i < choices.count; ++i)
+    if (two_slide || elimination::holds_for_any_last_axis(choices.choice[i]))
+      result.choice[result.count++] = choices.choice[i];
+  return result;
+}
+
+/// The setup of an arm in numbers for any inclination; what serves a single one is set up if a pose is in
+/// doubt. It is empty if nothing serves all.
+elimination::Setup set_up_for_any_heading(const elimination::Description& arm,
+                                          const elimination::Choices& choices) {
+  const bool two_slide = std::count_if(std::begin(arm.axes), std::end(arm.axes),
+                                       [](const auto& axis) { return !axis.revolute; }) == 2;
+  const elimination::Choices shared = for_any_heading(choices, two_slide);
+  elimination::Setup setup = elimination::set_up(arm, shared);
+  for (int i = 0; i < choices.count && !two_slide; ++i)
+    if (!elimination::holds_for_any_last_axis(choices.choice[i]))
+      setup.further.choice[setup.further.count++] = choices.choice[i];
+  return setup;
+}
+
+/// True if a setup for any inclination leaves few poses in doubt: a doubt takes longer than setting up what
+/// serves a single one better.
+bool leaves_few_doubts(const EliminationDerivation& derivation, const elimination::Setup& setup, int poses) {
+  const auto arm = derivation.arm_at_zero<six - 1>();
+  int doubts = 0;
+  for (int i = 0; i < poses; ++i) {
+    const auto pose = qvgen::inverse::tool_of<six - 1>(arm, spread_joints(arm, i, arm.tool.position.norm()));
+    elimination::Found found;
+    elimination::solve(elimination::with_heading(setup, arm, {derivation.problem.heading_joint(), -1}, pose),
+                       pose, qvgen::inverse::default_tolerance, qvgen::inverse::zero_preference<six>,
+                       qvgen::inverse::Form::scalar, found);
+    doubts += found.effort.passes > 0 ? 1 : 0;
+  }
+  return 8 * doubts <= poses;
+}
+
 }  // namespace
 
 void choose_eliminations(EliminationDerivation& derivation) {
@@ -77,7 +119,13 @@ void choose_eliminations(EliminationDerivation& derivation) {
     samples.push_back(derivation.problem.given < 0 ? with_heading<six - 1>(derivation, i)
                                                    : with_heading<six>(derivation, i));
   derivation.choices = elimination::choose(samples.data(), poses);
-  derivation.setup = elimination::set_up(samples.front().arm, derivation.choices);
+  if (derivation.is_constant) {
+    derivation.setup = set_up_for_any_heading(samples.front().arm, derivation.choices);
+    derivation.is_constant =
+        derivation.setup.count > 0 && leaves_few_doubts(derivation, derivation.setup, poses);
+  }
+  if (!derivation.is_constant)
+    derivation.setup = elimination::set_up(samples.front().arm, derivation.choices);
 }
 
 }  // namespace qvgen::derive::inverse

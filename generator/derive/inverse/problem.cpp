@@ -40,15 +40,6 @@ Problem with_joint(Problem problem, model::JointType type, const std::string& na
   return problem;
 }
 
-/// The joint's motion by its variable as a parameter.
-model::Displacement motion(const model::Joint& joint) {
-  const Expression value = Expression::symbol(joint.variable);
-  if (joint.type == model::JointType::revolute) return {{{joint.axis, value}}, {}};
-  model::Displacement slide;
-  for (std::size_t i = 0; i < 3; ++i) slide.translation[i] = model::multiply(joint.axis[i], value);
-  return slide;
-}
-
 /// An angle that is no whole number of right angles has a name.
 bool is_oblique(const model::Displacement& displacement) {
   return std::any_of(displacement.turns.begin(), displacement.turns.end(),
@@ -67,6 +58,7 @@ bool Problem::has_heading() const {
 }
 
 int Problem::heading_joint() const {
+  if (heading >= 0) return heading;
   std::size_t joint = 0;
   while (robot.joints[joint].type != model::JointType::revolute) ++joint;
   return places[joint];
@@ -115,11 +107,19 @@ Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
   return result;
 }
 
+model::Displacement motion_by(const model::Joint& joint, const Expression& value) {
+  if (joint.type == model::JointType::revolute) return {{{joint.axis, value}}, {}};
+  model::Displacement slide;
+  for (std::size_t i = 0; i < 3; ++i) slide.translation[i] = model::multiply(joint.axis[i], value);
+  return slide;
+}
+
 Problem with_held(const Problem& problem, std::size_t joint) {
   Problem result = problem;
   Robot& robot = result.robot;
   const model::Joint held = robot.joints[joint];
-  const model::Displacement fixed = model::compose(held.before, model::compose(motion(held), held.after));
+  const model::Displacement fixed = model::compose(
+      held.before, model::compose(motion_by(held, Expression::symbol(held.variable)), held.after));
   model::Displacement& next = joint + 1 < robot.joints.size() ? robot.joints[joint + 1].before : robot.tool;
   next = model::compose(fixed, next);
   const auto place = static_cast<std::ptrdiff_t>(joint);

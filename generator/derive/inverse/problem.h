@@ -26,6 +26,7 @@ struct Problem {
   int own_joints = 0;  ///< of the arm, the given one among them
   int given = -1;      ///< the arm's joint whose value the caller gives
   bool given_slides = false;
+  int heading = -1;  ///< the joint about whose axis the heading turns, by its place, if it is the given one
   Filter filter = Filter::none;
   model::Vector3 tool_axis;  ///< of the tool's frame, for tasks with a direction
 
@@ -41,7 +42,7 @@ struct Problem {
   /// True if the heading that the task leaves is a virtual joint.
   [[nodiscard]] bool has_heading() const;
   /// Returns the joint about whose axis a heading turns, by its place in a row: the first of those that are
-  /// solved for that turns.
+  /// solved for that turns, or the given one.
   [[nodiscard]] int heading_joint() const;
 };
 
@@ -56,6 +57,8 @@ Problem with_heading(const Problem& problem);
 /// The arm in other frames, those in front of its first joint and behind the last taken off where they are
 /// oblique. Before a joint is held.
 Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm);
+/// Returns a joint's motion by a value.
+model::Displacement motion_by(const model::Joint& joint, const model::Expression& value);
 /// The arm with a joint held; its variable is a parameter of the geometry.
 Problem with_held(const Problem& problem, std::size_t joint);
 

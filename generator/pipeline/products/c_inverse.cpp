@@ -1,13 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/c_inverse.h"
 
+#include <algorithm>
+
 #include "emit/render.h"
+#include "model/tasks.h"
 
 namespace qvgen::pipeline {
 namespace {
 
+using model::Task;
 using nlohmann::json;
 using nlohmann::ordered_json;
+
+/// Target of a function: how many joints it determines, how C takes it, and which value of C++ it is.
+struct Asked {
+  std::size_t joints;
+  std::string parameters, arguments, value, meaning;
+};
+
+Asked asked(const std::string& task) {
+  const std::string at = "Eigen::Vector3d(position), ";
+  if (task == model::task_name(Task::position_and_direction))
+    return {5, "const double position[3], const double direction[3]", "position, direction",
+            "qvgen::PositionAndDirection<double>{" + at + "Eigen::Vector3d(direction)}",
+            "a position and the direction of the tool's axis, which is a unit vector in the base frame"};
+  if (task == model::task_name(Task::position_and_inclination))
+    return {
+        5, "const double position[3], const double up[3]", "position, up",
+        "qvgen::PositionAndInclination<double>{" + at + "Eigen::Vector3d(up)}",
+        "a position and an inclination: up is the axis of the heading in the tool's frame, a unit vector"};
+  return {6, "const double orientation[4], const double position[3]", "orientation, position",
+          "pose_of(orientation, position)", "a pose"};
+}
+
+/// Adds the functions of what may be asked for, the most that the arm can be asked for first.
+void add_entries(const ordered_json& taken, json& variant) {
+  variant["entries"] = json::array();
+  for (const ordered_json& each : taken) {
+    const std::string task = each;
+    const Asked by = asked(task);
+    const bool is_pose = task == model::task_name(Task::pose);
+    variant["entries"].push_back(
+        {{"entry", variant["suffix"].get<std::string>() + (is_pose ? "" : "_of_" + task)},
+         {"parameters", by.parameters},
+         {"arguments", by.arguments},
+         {"value", by.value},
+         {"meaning", by.meaning}});
+  }
+}
 
 /// A function for all solutions by what its name ends with: "_given_theta3", or nothing.
 /// `count`: how many joints are given, if any.
@@ -28,12 +69,14 @@ json variant(const std::string& suffix, std::size_t count) {
 }
 
 json variants_of(const ordered_json& targets, std::size_t joints) {
-  constexpr std::size_t of_a_pose = 6;
   const std::string all = "inverse_kinematics", near = all + "_near";
   json variants = json::array();
   for (const auto& [function, taken] : targets.items())
-    if (function.rfind(near, 0) != 0)
-      variants.push_back(variant(function.substr(all.size()), joints > of_a_pose ? joints - of_a_pose : 1));
+    if (function.rfind(near, 0) != 0) {
+      const std::size_t determined = asked(taken.front()).joints;
+      variants.push_back(variant(function.substr(all.size()), joints - std::min(joints, determined)));
+      add_entries(taken, variants.back());
+    }
   return variants;
 }
 

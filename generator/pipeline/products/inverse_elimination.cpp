@@ -41,6 +41,17 @@ inverse::ArmAtZero<dof> row_arm(const EliminationDerivation& derivation, const P
                                    {problem.heading_joint(), problem.given}, pose, given);
 }
 
+/// Returns the setup for a pose of an arm without a given joint.
+elimination::Setup setup_of(const EliminationDerivation& derivation, const Pose<double>& pose) {
+  const derive::inverse::Problem& problem = derivation.problem;
+  if (!derivation.is_constant)
+    return set_up_first(elimination::description_of(row_arm<elimination::joints>(derivation, pose, 0)),
+                        derivation.choices);
+  if (!problem.has_heading()) return derivation.setup;
+  return elimination::with_heading(derivation.setup, derivation.arm_at_zero<elimination::joints - 1>(),
+                                   {problem.heading_joint(), problem.given}, pose);
+}
+
 /// By the functions that the generated code calls.
 Rows solved(const EliminationDerivation& derivation, const Pose<double>& pose,
             const std::vector<double>& sampled) {
@@ -53,10 +64,9 @@ Rows solved(const EliminationDerivation& derivation, const Pose<double>& pose,
                                                         inverse::default_tolerance,
                                                         inverse::zero_preference<six + 1>, form));
   }
-  const auto arm = elimination::description_of(row_arm<six>(derivation, pose, 0));
   elimination::Found found;
-  elimination::solve(derivation.is_constant ? derivation.setup : set_up_first(arm, derivation.choices), pose,
-                     inverse::default_tolerance, inverse::zero_preference<six>, form, found);
+  elimination::solve(setup_of(derivation, pose), pose, inverse::default_tolerance,
+                     inverse::zero_preference<six>, form, found);
   return rows_of(derivation, found);
 }
 
@@ -78,7 +88,7 @@ std::string by_elimination(const EliminationDerivation& derivation) {
       "/// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have "
       "been found;\n"
       "/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.";
-  if (derivation.problem.has_heading())
+  if (!derivation.is_constant && derivation.problem.has_heading())
     text += "\n/// Each call works out what the inclination, the geometry and a given joint say.";
   else if (!derivation.is_constant)
     text += "\n/// What the geometry or a given joint says is worked out at every call.";

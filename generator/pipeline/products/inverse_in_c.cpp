@@ -44,7 +44,11 @@ void add_public_functions_in_c(const model::Robot& described, const std::optiona
   values["motors"] = has_motors ? relation_in_c(described) : json(false);
   add_outer_joints(described, outer, emit::c::printer(), values);
   if (values["arm"].is_object()) values["arm"]["arm_joints"] = "dof";
+  const bool holds = outer && !outer->held.empty();
+  values["geometry_type"] = holds ? "InnerGeometry" : described.name + "_geometry";
   if (outer) values["outer"]["arm"]["arm_joints"] = "whole_dof";
+  if (holds)
+    for (json& variant : values["variants"]) variant["inner_geometry"] = "&own";
   for (json& variant : values["variants"]) add_names(outer.has_value(), variant);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Several given joints: a gantry under an arm, a rail under seven joints, a torso.
+// Several given joints: a gantry under an arm, a rail under seven joints, a torso, a wrist that is held.
 //
-// All given joints but one have to be the first or the last of the arm. These outer joints move the pose that
-// the inner arm, which has six joints, or seven with one given, has to reach (qvgen/inverse/outer_joints.h).
+// Those in front of the inner arm move the pose, or the part of it, that the inner arm has to reach; of a
+// whole pose those behind it do so, too (qvgen/inverse/outer_joints.h). The inner arm has as many joints as
+// the task determines, or one more, which is given.
 //
-// A task that leaves a motion open has fewer joints. Then the outer joints are the first of the arm: what is
-// asked for moves with them. Joints behind would move the tool point or axis that the open motion is about.
+// Any others are constants of the inner arm's geometry: a joint that is held is a displacement between its
+// neighbours.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,11 @@ namespace qvgen::pipeline {
 
 /// An arm in parts.
 struct OuterJoints {
-  std::size_t first = 0;  ///< how many stand in front of the inner arm
-  model::Robot inner;     ///< the arm with the outer joints at zero
+  std::vector<std::size_t> places;  ///< of the inner arm's joints in the arm
+  std::size_t first = 0;            ///< how many of the others move what is asked for from in front
+  std::size_t behind = 0;           ///< how many from behind
+  std::vector<std::size_t> held;    ///< all others, by their places: constants of the inner arm
+  model::Robot inner;               ///< the arm with the outer joints at zero
 };
 
 /// True if an arm has more joints than its task, and one given joint, determine.

@@ -76,4 +76,26 @@ Chain chain_of(const Description& arm) {
   return chain;
 }
 
+Setup with_last_axis(const Setup& setup, const Triple<double>& axis) {
+  constexpr int last = joints - 1;
+  Setup result = setup;
+  Chain& chain = result.chain;
+  const Isometry3d to_tool = isometry_of(chain.links[last - 1]) * isometry_of(chain.links[last]);
+  const Vector3d z = vector_of(axis).normalized(), x = z.unitOrthogonal();
+  Isometry3d in_tool = Isometry3d::Identity();
+  in_tool.linear() << x, z.cross(x), z;
+  const Isometry3d link = to_tool * in_tool;
+  chain.links[last - 1] = motion_of(link);
+  chain.links[last] = motion_of(in_tool.inverse());
+  const Vector3d at_zero = isometry_of(setup.description.tool).linear() * z;
+  for (int i = 0; i < 3; ++i) result.description.axes[last].axis[static_cast<std::size_t>(i)] = at_zero[i];
+  for (int k = 0; k < result.count; ++k) {
+    Elimination& e = result.eliminations[k];
+    Motion& of_loop = e.link[e.backwards ? (joints - e.shift) % joints : last - 1 - e.shift];
+    of_loop = e.backwards ? motion_of(link.inverse()) : chain.links[last - 1];
+    for (double& t : of_loop.translation) t /= chain.size;
+  }
+  return result;
+}
+
 }  // namespace qvgen::inverse::elimination

@@ -1,10 +1,11 @@
-// Joints in front of an arm and behind it, whose values are given: outer_joints.h of the C++ library. They move the pose of the
-// inner arm, which is the arm with these joints at zero, alone. The inner arm's `dof` joints begin at `first_inner` of the
-// whole arm's `whole_dof`.
+// Joints whose values are given in front of an arm, behind it, or between its own: outer_joints.h of the C++ library. Those in
+// front and behind move the pose of the inner arm, which is the arm with these at zero, alone; those between are constants of its
+// geometry. The inner arm's `dof` joints are those at `inner_places` of the whole arm's `whole_dof`; those before `first_inner`
+// stand in front, those from `first_behind` on behind.
 
 /// The given values, and what they do to the inner arm's pose.
 typedef struct OuterJoints {
-  double values[whole_dof];  // the inner arm's are not read
+  double values[whole_dof];  // the inner arm's are zero
   Pose before, behind;
 } OuterJoints;
 
@@ -14,15 +15,16 @@ static Pose carried_frame(const Arm* arm, int begin, int end, const double* valu
   return frame;
 }
 
-/// `arm`: the whole arm at zero.
+/// `arm`: the whole arm at zero. A value that is no number makes what is asked for none.
 static void set_outer_joints(const Arm* arm, const double* values, OuterJoints* outer) {
   const Pose none = pose_from(no_turn, no_place);
   const Pose before = carried_frame(arm, 0, first_inner, values, none);
-  const Pose behind = carried_frame(arm, first_inner + dof, whole_dof, values, none);
+  const Pose behind = carried_frame(arm, first_behind, whole_dof, values, none);
   const Pose back = inverse_pose(&arm->tool), ahead = pose_after(&back, &behind);
   const Pose at_tool = pose_after(&ahead, &arm->tool);
   memcpy(outer->values, values, sizeof outer->values);
   outer->before = inverse_pose(&before);
+  for (int i = 0; i < whole_dof; ++i) outer->before.position[0] += values[i] - values[i];
   outer->behind = inverse_pose(&at_tool);
 }
 
@@ -47,7 +49,7 @@ static void inner_direction(const OuterJoints* outer, const double* direction, d
 
 /// Values of the inner arm's joints.
 static void inner_joints(const double* whole, double* inner) {
-  for (int i = 0; i < dof; ++i) inner[i] = whole[first_inner + i];
+  for (int i = 0; i < dof; ++i) inner[i] = whole[inner_places[i]];
 }
 
 /// Rows of the inner arm, in their first places, as rows of the whole arm. Returns how many there are.
@@ -57,7 +59,7 @@ static int whole_rows(const OuterJoints* outer, Solutions* found) {
     Solution* row = &found->rows[k];
     memcpy(inner, row->q, sizeof inner);
     memcpy(row->q, outer->values, sizeof row->q);
-    for (int i = 0; i < dof; ++i) row->q[first_inner + i] = inner[i];
+    for (int i = 0; i < dof; ++i) row->q[inner_places[i]] = inner[i];
   }
   return found->count;
 }

@@ -9,7 +9,7 @@ namespace qvgen::test {
 
 /// Arms of five joints without a closed form that are asked for a position and an inclination, as they are
 /// built, without names and titles.
-inline constexpr std::array<BuiltArm, 5> heading_arms{
+inline constexpr std::array<BuiltArm, 6> heading_arms{
     {// Base, shoulder, elbow, and a wrist of two axes that do not move in one plane with them.
      {R"toml(joint = [{ type = "revolute", axis = "+z", variable = "q1", link = [0, 0, 0.3] },
          { type = "revolute", axis = "+y", variable = "q2", link = [0.3, 0, 0] },
@@ -42,6 +42,8 @@ h = 0.3
          { type = "revolute", axis = "+x", variable = "q5", link = [0.08, 0.05, 0.1] }]
 )toml"},
      // Six joints with a spherical wrist, the last one given.
-     {"given = \"q6\"\n", wrist_arm}}};
+     {"given = \"q6\"\n", wrist_arm},
+     // The first one given: the heading is about its axis.
+     {"given = \"q1\"\n", wrist_arm}}};
 
 }  // namespace qvgen::test

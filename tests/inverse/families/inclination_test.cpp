@@ -96,8 +96,14 @@ TEST_P(Inclination, TheHeadingOfAPoseIsNotUsed) {
     const Found found = test().robot().solve(sample.pose, given, inverse::default_tolerance);
     const Found other = test().robot().solve(turned, given, inverse::default_tolerance);
     ASSERT_EQ(found.rows.size(), other.rows.size());
+    // By elimination rows are in the order of their joints, which rounding decides where a wrist flips.
+    const auto is_same = [&](const Row& a, const Row& b) { return test().distance(a.q, b.q) < 1e-7; };
+    const auto has = [&](const Row& row) {
+      return std::any_of(other.rows.begin(), other.rows.end(),
+                         [&](const Row& each) { return is_same(row, each); });
+    };
     for (std::size_t k = 0; k < found.rows.size(); ++k)
-      EXPECT_LT(test().distance(found.rows[k].q, other.rows[k].q), 1e-7);
+      EXPECT_TRUE(by_elimination() ? has(found.rows[k]) : is_same(found.rows[k], other.rows[k]));
   }
 }
 

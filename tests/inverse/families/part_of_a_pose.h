@@ -20,7 +20,7 @@ class PartOfAPose : public WrittenArm {
     const Found found = solve(GetParam().functions, sample);
     EXPECT_EQ(judge(test(), sample, found).fault, "") << q.transpose();
     EXPECT_EQ(found.rows.size(), by_pose.rows.size()) << q.transpose();
-    // By elimination C has poses alone.
+    // By elimination C calls C++: tests/c/inverse_test.cpp.
     if (by_elimination() || in_c_alone().contains(GetParam().name)) return;
     const auto in_c = inverses_in_c().find(GetParam().name);
     ASSERT_NE(in_c, inverses_in_c().end());

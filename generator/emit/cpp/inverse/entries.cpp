@@ -222,6 +222,10 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
                            ? with_heading(problem, "arm_at_zero(g)", variant)
                            : row_arm(problem, has_virtual_joints,
                                      "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");
+  variant["setup_of_pose"] =
+      problem.has_heading() && variant.value("constant", false)
+          ? "inverse::elimination::with_heading(setup, arm_at_zero(g), " + heading_joints(problem) + ", pose)"
+          : "setup";
   std::string kinds;
   for (const model::Joint& joint : robot.joints)
     kinds += joint.type == model::JointType::revolute ? "true, " : "false, ";

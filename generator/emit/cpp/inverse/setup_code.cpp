@@ -146,6 +146,26 @@ void add(Initialiser& to, const Elimination& e) {
   to.close();
 }
 
+/// Adds the choices that are set up for a pose in doubt, if there are any.
+void add(Initialiser& to, const Choices& further) {
+  if (further.count == 0) return to.text("{}");
+  to.start_line();
+  to.open("set up for a pose in doubt: how many, whether backwards, and where they begin");
+  to.integer(further.count);
+  to.comma();
+  to.open();
+  for (int i = 0; i < further.count; ++i) {
+    if (i > 0) to.comma();
+    to.open();
+    to.truth(further.choice[i].backwards);
+    to.comma();
+    to.integer(further.choice[i].shift);
+    to.close();
+  }
+  to.close();
+  to.close();
+}
+
 }  // namespace
 
 std::vector<std::string> setup_lines(const Setup& setup) {
@@ -165,7 +185,7 @@ std::vector<std::string> setup_lines(const Setup& setup) {
   }
   to.close();
   to.comma();
-  to.text("{}");  // nothing further to set up
+  add(to, setup.further);
   to.close();
   return to.lines();
 }

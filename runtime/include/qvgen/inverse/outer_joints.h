@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Joints in front of an arm and behind it, whose values are given: a rail, a gantry, a torso, a wrist that is
-// held.
+// Joints in front of an arm, behind it, or between its own, whose values are given: a rail, a gantry, a
+// torso, a wrist that is held.
 //
-// The inner arm is the arm with these joints at zero. With screws S and the tool at zero M the tool is at
-// e(S1) ... e(Sn) M. So the outer joints move the inner arm's pose alone: those in front are taken off on the
-// left, those behind, seen from the tool, on the right.
+// The inner arm is the arm with joints in front and behind at zero. With screws S and the tool at zero M the
+// tool is at e(S1) ... e(Sn) M. So these move the inner arm's pose alone: those in front are taken off on the
+// left, those behind, seen from the tool, on the right. Joints that are held between, or behind where a part
+// of a pose is asked for, are constants of the inner arm's geometry, and their values alone stand here.
 #pragma once
+
+#include <array>
+#include <limits>
 
 #include <qvgen/inverse/phases.h>
 #include <qvgen/inverse/requested_pose.h>
@@ -15,15 +19,25 @@
 
 namespace qvgen::inverse {
 
-/// Outer joints of an arm whose joints `first`, ..., `first + inner - 1` are the inner arm's.
-template <int dof, int first, int inner>
+/// Which of an arm's joints are the inner arm's, how many stand in front of it, and the first that stands
+/// behind.
+template <int inner>
+struct InnerPlaces {
+  std::array<int, static_cast<std::size_t>(inner)> of;
+  int first, behind;
+};
+
+/// Outer joints of an arm.
+template <int dof, int inner>
 class OuterJoints {
  public:
-  /// `values`: of the outer joints, those of others are not read.
-  OuterJoints(const ArmAtZero<dof>& arm, const Joints<dof>& values) : values_(values) {
+  /// `values`: of the given joints, zero for others. One that is no number makes what is asked for invalid.
+  OuterJoints(const ArmAtZero<dof>& arm, const InnerPlaces<inner>& places, const Joints<dof>& values)
+      : places_(places), values_(values) {
     const Pose<double> none{Eigen::Quaterniond::Identity(), Vector3<double>::Zero()};
-    before_ = moved(arm, 0, first, none).inverse();
-    behind_ = (arm.tool.inverse() * moved(arm, first + inner, dof, none) * arm.tool).inverse();
+    before_ = moved(arm, 0, places.first, none).inverse();
+    behind_ = (arm.tool.inverse() * moved(arm, places.behind, dof, none) * arm.tool).inverse();
+    if (!values.allFinite()) before_.position.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
   /// The pose that the inner arm has to reach; what is no pose stays none.
@@ -32,6 +46,9 @@ class OuterJoints {
   }
   // Parts of a pose, as the inner arm has to reach them; no outer joints stand behind it.
 
+  [[nodiscard]] Vector3<double> inner_task(const Vector3<double>& position) const {
+    return before_ * position;
+  }
   [[nodiscard]] PositionAndDirection<double> inner_task(const PositionAndDirection<double>& task) const {
     return {before_ * task.position, before_.orientation * direction_meant(task.direction)};
   }
@@ -54,16 +71,21 @@ class OuterJoints {
     for (const Solution<inner>& row : found) {
       Solution<dof>& whole = result.append();
       whole.q = values_;
-      whole.q.template segment<inner>(first) = row.q;
+      for (int i = 0; i < inner; ++i) whole.q[place(i)] = row.q[i];
       whole.branch = row.branch;
       whole.continuum = row.continuum;
     }
     return result;
   }
   /// Values of the inner arm's joints.
-  static Joints<inner> inner_of(const Joints<dof>& q) { return q.template segment<inner>(first); }
+  [[nodiscard]] Joints<inner> inner_of(const Joints<dof>& q) const {
+    Joints<inner> values;
+    for (int i = 0; i < inner; ++i) values[i] = q[place(i)];
+    return values;
+  }
 
  private:
+  [[nodiscard]] int place(int i) const { return places_.of[static_cast<std::size_t>(i)]; }
   /// A frame carried along by some joints.
   [[nodiscard]] Pose<double> moved(const ArmAtZero<dof>& arm, int begin, int end, Pose<double> frame) const {
     for (int i = end; i-- > begin;) {
@@ -75,6 +97,7 @@ class OuterJoints {
     return frame;
   }
 
+  InnerPlaces<inner> places_;
   Joints<dof> values_;
   Pose<double> before_, behind_;
 };

@@ -10,8 +10,9 @@
 /// task leaves, or seven of which one is given.
 ///
 /// A heading is a turn of the tool, too. That the tool sees an axis e of the base as `up`, R^T e = up, says
-/// that its own axis `up` points along e: a turn about e through the tool point is one about that axis. Only
-/// it comes with the pose, so that the arm is set up for each.
+/// that its own axis `up` points along e: a turn about e through the tool point is one about that axis. It
+/// comes with the pose. As the last axis of the arm it leaves the equations of most eliminations as they are,
+/// so that an arm in numbers is set up once, and a pose only turns that axis (`with_last_axis`).
 namespace qvgen::inverse::elimination {
 
 inline Description description_of(const ArmAtZero<joints>& arm) {
@@ -41,13 +42,27 @@ inline Solutions<joints + 1, most_solutions> solve_given(const ArmAtZero<joints 
   return with_joint(found, given, value);
 }
 
+/// Returns the axis of the heading in the tool's frame at a pose with the inclination that is asked for.
+template <int dof>
+Vector3<double> heading_seen(const ArmAtZero<dof>& arm, const HeadingJoints& places, const Pose<double>& pose,
+                             double given = 0) {
+  return pose.normalised().orientation.conjugate() * heading_axis(arm, places, given);
+}
+
 /// Returns the arm with the turn that a task without a heading leaves as one more joint, for a pose with the
 /// position and the inclination that are asked for.
 template <int dof>
 ArmAtZero<dof + 1> with_heading(const ArmAtZero<dof>& arm, const HeadingJoints& places,
                                 const Pose<double>& pose, double given = 0) {
-  const Vector3<double> axis = heading_axis(arm, places, given);
-  return with_tool_turn(arm, Vector3<double>(pose.normalised().orientation.conjugate() * axis));
+  return with_tool_turn(arm, heading_seen(arm, places, pose, given));
+}
+
+/// Returns the setup of such an arm from that for any inclination.
+template <int dof>
+Setup with_heading(const Setup& setup, const ArmAtZero<dof>& arm, const HeadingJoints& places,
+                   const Pose<double>& pose) {
+  const Vector3<double> axis = heading_seen(arm, places, pose);
+  return with_last_axis(setup, {axis.x(), axis.y(), axis.z()});
 }
 
 /// Returns the caller's preference for the rows of such an arm: the heading is the one that the seed leaves

@@ -79,6 +79,16 @@ Setup set_up(const Description& arm, const Choices& choices);
 /// pose. A given joint may bring axes together, so that the arm does not admit all choices.
 Setup set_up_first(const Description& arm, const Choices& choices);
 
+/// True if the equations of a choice are the same wherever the arm's last axis points: it stands behind the
+/// outer joint.
+constexpr bool holds_for_any_last_axis(const Choice& choice) {
+  return choice.shift == 1 || choice.shift == (choice.backwards ? 2 : 0);
+}
+/// Returns the setup of an arm that differs in its last axis alone: that is at the tool point, along `axis`
+/// of the tool's frame. Such arms share their equations, if the setup has no others than
+/// `holds_for_any_last_axis` says or two slides.
+Setup with_last_axis(const Setup& setup, const Triple<double>& axis);
+
 /// One elimination alone, untried: what the generator states and what tests compare. False if the joints 1'
 /// or 4' would be slides.
 bool eliminate(const Chain& chain, bool backwards, int shift, Elimination& result);
