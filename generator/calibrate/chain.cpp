@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/chain.h"
 
+#include <cln/integer.h>
+#include <cln/rational.h>
+
 #include "calibrate/load.h"
 
 namespace qvgen::calibrate {
@@ -35,7 +38,8 @@ Prediction<double> predict(const Model<double>& model, const Posture<double>& po
 Posture<double> posture_of(const Geometry<double>& geometry, const double* q) {
   Posture<double> posture;
   for (const JointForm& joint : geometry.joints) {
-    const double value = joint.ratio * q[joint.variable];
+    double value = 0;
+    for (const VariableShare& share : joint.shares) value += share.ratio * q[share.variable];
     posture.values.push_back(value);
     posture.circular.push_back({std::cos(value), std::sin(value)});
   }
@@ -45,17 +49,37 @@ Posture<double> posture_of(const Geometry<double>& geometry, const double* q) {
   return posture;
 }
 
+namespace {
+
+/// Returns for each variable a number that makes its shares in all joints whole ones.
+std::vector<cln::cl_I> denominators(const Geometry<Field>& geometry) {
+  std::vector<cln::cl_I> result(geometry.turning.size(), 1);
+  for (const JointForm& joint : geometry.joints)
+    for (const VariableShare& share : joint.shares)
+      result[share.variable] = cln::lcm(result[share.variable], cln::denominator(share.exact_ratio));
+  return result;
+}
+
+}  // namespace
+
+/// The random values are those of parts of the variables, of which joints have whole multiples: so sines of
+/// all joints are exact together.
 Posture<Field> random_posture(const Geometry<Field>& geometry, std::uint64_t seed) {
-  const passes::search_detail::Fingerprint point(seed);
+  passes::search_detail::Fingerprint point(seed);
+  const std::vector<cln::cl_I> parts = denominators(geometry);
   Posture<Field> posture;
   for (const JointForm& joint : geometry.joints) {
     exact::Angle angle;
-    const std::string name = "q" + std::to_string(joint.variable);
-    angle.terms[name] = joint.exact_ratio;
-    const auto value = point.circular(angle);
-    exact::Number ratio(joint.exact_ratio);
-    posture.values.push_back(passes::search_detail::Fingerprint(seed).number(ratio) * point.symbol(name));
-    posture.circular.push_back({value.cosine, value.sine});
+    Field value = Field::from(0);
+    for (const VariableShare& share : joint.shares) {
+      const std::string name = "q" + std::to_string(share.variable);
+      const cln::cl_RA whole = share.exact_ratio * parts[share.variable];
+      angle.terms[name] = whole;
+      value = value + point.number(exact::Number(whole)) * point.symbol(name);
+    }
+    const auto turned = point.circular(angle);
+    posture.values.push_back(value);
+    posture.circular.push_back({turned.cosine, turned.sine});
   }
   posture.loads = loads_of(geometry, posture, Field::from(1));
   return posture;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "model/motor_ranges.h"
+
 namespace qvgen::calibrate {
 namespace {
 
@@ -17,6 +19,16 @@ constexpr std::array position_names{"x", "y", "z"};
 constexpr std::array quaternion_names{"qw", "qx", "qy", "qz"};
 constexpr std::array euler_names{"roll", "pitch", "yaw"};
 constexpr std::array vector_names{"rx", "ry", "rz"};
+
+/// Farthest value of a joint (rad, m) that is no mistake of units; a motor goes farther by its gear.
+constexpr double most_turned = 8 * std::numbers::pi, most_slid = 100;
+
+/// A column with values of a joint or of a motor.
+struct Variable {
+  std::string name;
+  bool turns;
+  double most;
+};
 
 /// Reads one file: its columns, then what they mean.
 class DataReader {
@@ -50,12 +62,12 @@ class DataReader {
  private:
   std::vector<Wanted> wanted() {
     std::vector<Wanted> all;
-    for (const model::Joint& joint : robot_.joints) {
-      if (!joint.follows.empty()) continue;
+    const std::vector<double> gears = model::greatest_gears(robot_);
+    for (const model::Joint& joint : model::driven_joints(robot_)) {
       const std::string name = fmt::format("q{}", joints_.size() + 1);
       const bool turns = joint.type == model::JointType::revolute;
       all.push_back({name, turns ? Quantity::angle : Quantity::length, true, false, {joint.variable}});
-      joints_.push_back({name, turns});
+      joints_.push_back({name, turns, gears[joints_.size()] * (turns ? most_turned : most_slid)});
     }
     const auto add = [&](const char* name, Quantity quantity) {
       all.push_back({name, quantity, false, false, {}});
@@ -131,9 +143,9 @@ class DataReader {
   void add_row(std::size_t row) {
     Measurement each;
     each.line = table_.lines[row];
-    for (const auto& [name, turns] : joints_) {
-      each.q.push_back((*table_.find(name))[row]);
-      check_joint(each.line, name, turns, each.q.back());
+    for (const Variable& variable : joints_) {
+      each.q.push_back((*table_.find(variable.name))[row]);
+      check_variable(each.line, variable, each.q.back());
     }
     each.pose = identity(1.0);
     for (std::size_t i = 0; i < 3; ++i) each.pose.position[i] = value(position_names.at(i), row);
@@ -149,12 +161,13 @@ class DataReader {
     result_.set.rows.push_back(std::move(each));
   }
 
-  void check_joint(int line, const std::string& name, bool turns, double value) {
-    constexpr double most_turns = 8 * std::numbers::pi;
-    if (turns && std::abs(value) > most_turns)
+  void check_variable(int line, const Variable& variable, double value) {
+    if (std::abs(value) <= variable.most) return;
+    const std::string& name = variable.name;
+    if (variable.turns)
       say_of_row(line, fmt::format("'{}' is {:.6g} rad", name, value),
                  fmt::format("write {} [deg] in the header for degrees", name));
-    if (!turns && std::abs(value) > 100)
+    else
       say_of_row(line, fmt::format("'{}' is {:.6g} m", name, value),
                  fmt::format("write {} [mm] in the header for millimetres", name));
   }
@@ -236,7 +249,7 @@ class DataReader {
   const model::Robot& robot_;
   const DataOptions& options_;
   std::vector<Wanted> wanted_;
-  std::vector<std::pair<std::string, bool>> joints_;
+  std::vector<Variable> joints_;
   measured::Table table_;
   DataResult result_;
   std::string surface_column_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measurements of an arm from a table: joint values q1, q2, ... (or the joints' own names), and what was
-// measured there. The columns say which kind of data it is:
+// Measurements of an arm from a table: values q1, q2, ... of joints and motors (or their own names), and what
+// was measured there. The columns say which kind of data it is:
 //
 //     x y z  with qw qx qy qz, or roll pitch yaw, or rx ry rz    poses (rx ry rz: axis times angle)
 //     x y z                                                      positions
@@ -20,7 +20,7 @@ namespace qvgen::calibrate {
 
 struct Measurement {
   int line = 0;
-  std::vector<double> q;  ///< rad, m; one for each joint that follows none
+  std::vector<double> q;  ///< rad, m; one for each joint that follows none, and each motor
   std::size_t target = 0, surface = 0;
   Rigid<double> pose;   ///< the rotation is the identity for positions
   double distance = 0;  ///< m

@@ -106,26 +106,14 @@ class Builder {
   }
 
  private:
-  /// The joint that moves joint i: itself, or the one that it follows.
-  [[nodiscard]] std::size_t leader_of(std::size_t i) const {
-    const auto& follows = robot_.joints[i].follows;
-    if (follows.empty()) return i;
-    const auto is_leader = [&](const model::Joint& joint) {
-      return joint.variable == follows.front().variable;
-    };
-    const auto leader = std::find_if(robot_.joints.begin(), robot_.joints.end(), is_leader);
-    return static_cast<std::size_t>(leader - robot_.joints.begin());
-  }
-
   void add_joints(Geometry<S>& geometry) {
-    std::vector<std::size_t> variable(robot_.joints.size());
-    for (std::size_t i = 0; i < robot_.joints.size(); ++i)
-      if (robot_.joints[i].follows.empty()) variable[i] = geometry.variables++;
-    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
-      const model::Joint& joint = robot_.joints[i];
-      const cln::cl_RA ratio = joint.follows.empty() ? cln::cl_RA(1) : joint.follows.front().ratio;
-      geometry.joints.push_back({joint.type == model::JointType::revolute, variable[leader_of(i)],
-                                 cln::double_approx(ratio), ratio});
+    for (const model::Joint& driven : model::driven_joints(robot_))
+      geometry.turning.push_back(driven.type == model::JointType::revolute);
+    for (const std::vector<model::Share>& row : model::shares(robot_)) {
+      JointForm form{robot_.joints[geometry.joints.size()].type == model::JointType::revolute, {}};
+      for (const model::Share& share : row)
+        form.shares.push_back({share.driven, cln::double_approx(share.ratio), share.ratio});
+      geometry.joints.push_back(std::move(form));
     }
   }
 

@@ -25,11 +25,19 @@ struct Gap {
       directions;  ///< u, v, axis in the frame behind the gap; u and v of any length in the field
 };
 
-struct JointForm {
-  bool revolute = true;
-  std::size_t variable = 0;  ///< index among the joints that follow none
+/// Share of a variable in a joint's value.
+struct VariableShare {
+  std::size_t variable = 0;  ///< index among joints that follow none and motors
   double ratio = 1;
   cln::cl_RA exact_ratio = 1;
+};
+
+struct JointForm {
+  bool revolute = true;
+  std::vector<VariableShare> shares;  ///< the value is their sum
+
+  /// True if the value is a variable itself.
+  [[nodiscard]] bool is_variable() const { return shares.size() == 1 && shares.front().exact_ratio == 1; }
 };
 
 /// Weight that a joint carries: that of its own link. The centre is seen from behind the joint's motion.
@@ -44,7 +52,7 @@ template <class S>
 struct Geometry {
   std::vector<Gap<S>> gaps;
   std::vector<JointForm> joints;
-  std::size_t variables = 0;         ///< joints that follow none
+  std::vector<bool> turning = {};    ///< each variable: joints that follow none, and motors; true: rad
   std::vector<Body<S>> bodies = {};  ///< a joint each
   std::vector<double> greatest_loads =
       {};  ///< Nm, of the turns, at random postures; 0 for what carries nothing

@@ -12,7 +12,7 @@ std::vector<double> greatest_loads(const Geometry<double>& geometry) {
   if (geometry.bodies.empty()) return greatest;
   std::mt19937 random(1);
   for (int i = 0; i < postures; ++i) {
-    std::vector<double> q(geometry.variables);
+    std::vector<double> q(geometry.turning.size());
     for (double& each : q) each = 6.283185307179586 * (static_cast<double>(random()) / 4294967296.0);
     const std::vector<double> loads = loads_of(geometry, posture_of(geometry, q.data()), 1.0);
     for (std::size_t k = 0; k < loads.size(); ++k) greatest[k] = std::max(greatest[k], std::abs(loads[k]));

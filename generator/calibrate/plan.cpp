@@ -11,6 +11,8 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "model/motor_ranges.h"
+
 namespace qvgen::calibrate {
 namespace {
 
@@ -18,6 +20,8 @@ constexpr std::size_t candidates = 1000;
 /// Random postures that are tried until so many keep the clearance; with fewer than `fewest` a plan would be
 /// a poor one.
 constexpr std::size_t most_tries = 100 * candidates, fewest = 100;
+/// Random values of motors among which one must be within limits of joints that several of them move.
+constexpr std::size_t most_draws = 10000;
 /// Postures by which spheres are found that meet wherever the arm is.
 constexpr std::size_t samples = 200;
 
@@ -37,8 +41,9 @@ class Planner {
       : can_(can), state_(state), set_(set), clearance_(std::move(clearance)) {
     const double reach = reach_of(can.model.geometry);
     const DoubleValues values(robot);
-    for (const model::Joint& joint : robot.joints)
-      if (joint.follows.empty()) ranges_.push_back(range_of(joint, values, reach));
+    for (const model::Joint& joint : model::driven_joints(robot))
+      ranges_.push_back(range_of(joint, values, reach));
+    shared_limits_ = model::shared_limits(robot);
     add_candidates();
     information_ =
         normal_of(can.model, {&set, std::vector<double>(set.rows.size(), 1.0)}, state, can.candidates).matrix;
@@ -65,10 +70,19 @@ class Planner {
  private:
   double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
 
+  /// Returns motors within their limits, at which joints that several of them move are within theirs.
   std::vector<double> random_posture() {
-    std::vector<double> q;
-    for (const auto& [lower, upper] : ranges_) q.push_back(lower + (upper - lower) * uniform());
-    return q;
+    for (std::size_t tries = 0; tries < most_draws; ++tries) {
+      std::vector<double> q;
+      for (const auto& [lower, upper] : ranges_) q.push_back(lower + (upper - lower) * uniform());
+      const bool is_inside = std::all_of(shared_limits_.begin(), shared_limits_.end(),
+                                         [&](const auto& limits) { return limits.hold(limits.at(q)); });
+      if (is_inside) return q;
+    }
+    throw std::runtime_error(fmt::format(
+        "of {} random postures of the motors none is within the limits of '{}' and of the other joints that "
+        "several motors move: set limits of the motors",
+        most_draws, shared_limits_.front().joint));
   }
 
   void add_candidates() {
@@ -154,6 +168,7 @@ class Planner {
   std::vector<std::string> touching_;
   std::mt19937_64 random_{1};
   std::vector<std::pair<double, double>> ranges_;
+  std::vector<model::SharedLimits> shared_limits_;
   std::vector<Measurement> postures_;
   std::vector<Eigen::MatrixXd> rows_;
   Eigen::MatrixXd information_;
@@ -175,8 +190,7 @@ State state_without_data(const Identifiable& can) {
 std::string table_of(const model::Robot& robot, const Plan& plan) {
   std::vector<bool> turns;
   std::string text;
-  for (const model::Joint& joint : robot.joints) {
-    if (!joint.follows.empty()) continue;
+  for (const model::Joint& joint : model::driven_joints(robot)) {
     turns.push_back(joint.type == model::JointType::revolute);
     text +=
         fmt::format("{}q{} [{}]", turns.size() > 1 ? ", " : "", turns.size(), turns.back() ? "deg" : "mm");

@@ -11,9 +11,10 @@
 namespace qvgen::calibrate {
 
 struct Plan {
-  std::vector<std::vector<double>> postures;  ///< rad, m; one value for each joint that follows none
-  double before = 0, after = 0;               ///< expected deviation of a predicted position (m)
-  std::vector<std::string> touching;          ///< links whose spheres meet in every posture, in words
+  std::vector<std::vector<double>>
+      postures;                       ///< rad, m; one value for each joint that follows none and each motor
+  double before = 0, after = 0;       ///< expected deviation of a predicted position (m)
+  std::vector<std::string> touching;  ///< links whose spheres meet in every posture, in words
 };
 
 /// Plans so many postures for a kind of data, after those of `set`, which may be empty. The state is where

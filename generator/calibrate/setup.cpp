@@ -70,7 +70,7 @@ class Builder {
           fmt::format("the bend of joint {} under {:.4g} Nm", gap, geometry_.greatest_loads[gap - 1]));
   }
 
-  [[nodiscard]] bool is_follower(std::size_t joint) const { return geometry_.joints[joint].ratio != 1; }
+  [[nodiscard]] bool is_follower(std::size_t joint) const { return !geometry_.joints[joint].is_variable(); }
 
   void add_surface(std::size_t object) {
     static constexpr std::array plane{"first tilt", "second tilt", "place"};

@@ -41,8 +41,8 @@ double misfit(const Identifiable& can, const DataSet& set) {
 }
 
 void scale_angles(const Identifiable& can, Measurement& row, double factor) {
-  for (const JointForm& joint : can.model.geometry.joints)
-    if (joint.revolute && joint.ratio == 1) row.q[joint.variable] *= factor;
+  for (std::size_t i = 0; i < row.q.size(); ++i)
+    if (can.model.geometry.turning[i]) row.q[i] *= factor;
 }
 
 void scale_lengths(Measurement& row, double factor) {
@@ -69,7 +69,7 @@ void roll_quaternion(Measurement& row, bool scalar_to_front) {
 
 std::vector<Mistake> usual_mistakes(const Identifiable& can) {
   constexpr double degree = std::numbers::pi / 180;
-  const std::size_t count = can.model.geometry.variables;
+  const std::size_t count = can.model.geometry.turning.size();
   std::vector<Mistake> all{
       {"the joint values seem to be degrees: write q1 [deg], ...",
        [&can](Measurement& row) { scale_angles(can, row, degree); }},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/touching.h"
 
+#include <algorithm>
+
 namespace qvgen::calibrate {
 namespace {
 
@@ -18,6 +20,20 @@ std::optional<CosSin<Field>> solve(Field a, Field b, Field c) {
   if (!root) return std::nullopt;
   const Field scale = square.inverse();
   return CosSin<Field>{-(a * c + b * *root) * scale, (a * *root - b * c) * scale};
+}
+
+/// True if the joint may turn alone: a variable moves it and no other joint.
+bool turns_alone(const Geometry<Field>& geometry, std::size_t joint) {
+  const auto moves_others = [&](std::size_t variable) {
+    for (std::size_t other = 0; other < geometry.joints.size(); ++other)
+      for (const VariableShare& share : geometry.joints[other].shares)
+        if (other != joint && share.variable == variable) return true;
+    return false;
+  };
+  const JointForm& form = geometry.joints[joint];
+  return form.revolute &&
+         std::any_of(form.shares.begin(), form.shares.end(),
+                     [&](const VariableShare& share) { return !moves_others(share.variable); });
 }
 
 }  // namespace
@@ -52,7 +68,7 @@ std::optional<Posture<Field>> touching_posture(const Model<Field>& model, Data d
   if (data != Data::plane && data != Data::sphere) return posture;
   const Field one = Field::from(1), zero = one - one, half = Field::from(2).inverse();
   for (std::size_t joint = posture.circular.size(); joint-- > 0;) {
-    if (!model.geometry.joints[joint].revolute || !(model.geometry.joints[joint].exact_ratio == 1)) continue;
+    if (!turns_alone(model.geometry, joint)) continue;
     const auto at = [&](Field cosine, Field sine) {
       Posture<Field> other = posture;
       other.circular[joint] = {cosine, sine};

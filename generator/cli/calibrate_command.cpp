@@ -39,16 +39,6 @@ std::string name_of(const CalibrateArguments& arguments, const model::Robot& rob
   return is_name && stem != robot.name ? stem : robot.name + "_calibrated";
 }
 
-/// Errors of geometry are seen joint by joint, whose values motors must say one by one.
-void check_joints(const model::Robot& robot) {
-  for (const model::Joint& joint : robot.joints)
-    if (joint.follows.size() > 1 || !robot.motors.empty())
-      throw std::runtime_error(
-          fmt::format("{} has joints that follow sums of others or motors: calibrate it "
-                      "without these relations, with the joints' values as data",
-                      robot.name));
-}
-
 void check_masses(const model::Robot& robot) {
   for (const model::Joint& joint : robot.joints)
     for (const model::Expression& each : {joint.inertia.mass, joint.inertia.centre_of_mass[0],
@@ -203,7 +193,6 @@ int run_calibrate(const CalibrateArguments& arguments) {
   if (!descriptions) return bad_description;
   const model::Robot& robot = *descriptions->front().robot;
   check_numbers(robot);
-  check_joints(robot);
   if (arguments.bending) check_masses(robot);
   const calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
                                    has(arguments.known, "target"), arguments.bending};

@@ -45,10 +45,11 @@ std::vector<std::string> inputs_of(const model::Robot& robot) {
 }
 
 /// The symbols that the parameters are linear in.
-std::vector<std::string> parameter_symbols(std::size_t links) {
+std::vector<std::string> parameter_symbols(const model::Robot& robot) {
   std::vector<std::string> symbols;
-  for (std::size_t i = 0; i < 10 * links; ++i) symbols.push_back(dynamics::standard_parameter(i));
-  for (std::size_t i = 0; i < dynamics::drive_parameters.size() * links; ++i)
+  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+    symbols.push_back(dynamics::standard_parameter(i));
+  for (std::size_t i = 0; i < dynamics::drive_parameters.size() * dynamics::drive_count(robot); ++i)
     symbols.push_back(dynamics::drive_parameter(i));
   return symbols;
 }
@@ -67,10 +68,12 @@ MatrixXd matrix_of(const dag::Function& parameters, const std::vector<std::strin
 }
 
 /// Drives that the joints are taken not to have are zero: their shares in all parameters vanish.
-void remove_drives(const std::vector<DriveParameter>& kept, std::size_t links, MatrixXd& combination) {
-  for (const DriveParameter kind : dynamics::drive_parameters)
-    for (std::size_t i = 0; i < links && std::find(kept.begin(), kept.end(), kind) == kept.end(); ++i)
-      combination.col(static_cast<Index>(10 * links + dynamics::place_of(i, kind))).setZero();
+void remove_drives(ArmRegressor& arm) {
+  for (const DriveParameter kind : dynamics::drive_parameters) {
+    if (std::find(arm.drives.begin(), arm.drives.end(), kind) != arm.drives.end()) continue;
+    for (std::size_t i = 0; i < arm.drive_units(); ++i)
+      arm.combination.col(arm.standard() + static_cast<Index>(dynamics::place_of(i, kind))).setZero();
+  }
 }
 
 /// Drops parameters that nothing is left of, with their columns of Y.
@@ -99,27 +102,33 @@ std::vector<std::vector<Index>> columns_of(const Tape& tape, std::size_t rows, s
 
 }  // namespace
 
+std::vector<std::string> names_of_motors(const model::Robot& robot) {
+  std::vector<std::string> names;
+  for (const model::Motor& motor : robot.motors) names.push_back(motor.variable);
+  return names;
+}
+
 std::vector<DriveParameter> all_drives() {
   return {dynamics::drive_parameters.begin(), dynamics::drive_parameters.end()};
 }
 
 ArmRegressor arm_regressor(const model::Robot& described, const std::vector<DriveParameter>& drives,
                            double gravity) {
-  if (!described.motors.empty())
-    throw std::domain_error("joints follow motors that are no joints, whose drives are not identified");
   const canonical::Arm arm = canonical::whatever_notation_with_links(described).front();
   const dynamics::DriveRegressor found = dynamics::regressor_with_drives(arm.robot, arm.reversed);
   const dynamics::Regressor& regressor = found.regressor;
   const std::size_t rows = model::driven_count(arm.robot), links = arm.robot.joints.size();
   Known known = defaults_of(described, gravity);
   const dag::Function parameters = optimise::with_definitions(regressor.base_parameters, arm.robot);
-  const MatrixXd combination = matrix_of(parameters, parameter_symbols(links), known);
-  add_values(optimise::with_definitions(regressor.formulation.constants, arm.robot), parameter_symbols(links),
-             known);
+  const std::vector<std::string> symbols = parameter_symbols(arm.robot);
+  const MatrixXd combination = matrix_of(parameters, symbols, known);
+  add_values(optimise::with_definitions(regressor.formulation.constants, arm.robot), symbols, known);
   dag::Function function = optimise::in_terms_of_leaders(
       optimise::dynamics_in_terms_of_description(regressor.formulation.function, arm), arm.robot);
-  ArmRegressor result{rows, links, regressor.names, drives, combination, {}, Tape({}, {}, {}), {}};
-  remove_drives(drives, links, result.combination);
+  ArmRegressor result{
+      rows, links, names_of_motors(arm.robot), regressor.names, drives, combination, {}, Tape({}, {}, {}),
+      {}};
+  remove_drives(result);
   if (drives.size() == dynamics::drive_parameters.size()) result.left_out = found.left_out;
   remove_empty(rows, result, function);
   result.tape = Tape(function, inputs_of(described), known);

@@ -29,12 +29,13 @@ struct ExtraColumn {
 };
 
 struct ArmRegressor {
-  std::size_t joints = 0;              ///< that follow none: rows of Y, torques
+  std::size_t joints = 0;              ///< joints that follow none, and motors: rows of Y, torques
   std::size_t links = 0;               ///< of the whole chain
+  std::vector<std::string> motors;     ///< that are no joints, in the description's order
   std::vector<std::string> names;      ///< of the identifiable parameters p: "Sxx2", "hx3", "Ia3", "fv1", ...
   std::vector<DriveParameter> drives;  ///< kinds that the joints are taken to have
   /// p = combination * x, with x the standard parameters of all links, then the drive parameters of all
-  /// joints.
+  /// joints, then those of the motors that are no joints.
   Eigen::MatrixXd combination;
   /// Sentences on drive parameters that show as parts of others only.
   std::vector<std::string> left_out;
@@ -50,13 +51,22 @@ struct ArmRegressor {
   /// Parameters of bodies and drives, which come first.
   [[nodiscard]] Eigen::Index plain() const { return parameters() - static_cast<Eigen::Index>(extra.size()); }
   [[nodiscard]] Eigen::Index standard() const { return static_cast<Eigen::Index>(links) * standard_count; }
+  /// How many drives there are: of joints, then of motors that are no joints.
+  [[nodiscard]] std::size_t drive_units() const { return links + motors.size(); }
+  /// Returns the name of such a drive: the joint's number, from 1, or the motor's name.
+  [[nodiscard]] std::string drive_name(std::size_t unit) const {
+    return unit < links ? std::to_string(unit + 1) : motors.at(unit - links);
+  }
 };
+
+/// Returns the names of the motors that are no joints.
+std::vector<std::string> names_of_motors(const model::Robot& robot);
 
 /// The kinds of drive parameters, all four.
 std::vector<DriveParameter> all_drives();
 
 /// Derives the regressor; gravity in m/s^2 along the world's -z. Throws std::runtime_error if a length of the
-/// description has no value, std::domain_error where the drives' columns depend on the links' by lengths.
+/// description has no value.
 ArmRegressor arm_regressor(const model::Robot& described, const std::vector<DriveParameter>& drives,
                            double gravity = 9.80665);
 

@@ -26,6 +26,8 @@ constexpr double smallest_weight = 1e-9;
 /// Steps shorter than this change nothing any more.
 constexpr double settled = 1e-6;
 constexpr double equal = 1e-12;
+/// Share of the greatest parameter below which one is zero in exact data.
+constexpr double zero_share = 1e-9;
 /// The total mass as a wish is off by this share at most.
 constexpr double mass_share = 1e-7;
 
@@ -69,11 +71,13 @@ class Problem {
     const Told told = told_by(estimate);
     equations.rows = told.combinations * arm.combination;
     equations.sides = told.values;
+    leave_out_zero_drives(arm.standard());
     wish.rows = told.weights * equations.rows;
     wish.sides = told.weights * told.values;
     measured_ = wish.rows.rows();
     for (Index k = 0; k < equations.rows.rows(); ++k) {
       const double length = equations.rows.row(k).norm();
+      if (length == 0) continue;
       equations.rows.row(k) /= length;
       equations.sides[k] /= length;
     }
@@ -84,7 +88,7 @@ class Problem {
   [[nodiscard]] VectorXd start() const { return divergence_.prior(); }
   [[nodiscard]] double distance(const VectorXd& values) const { return divergence_.at(values); }
   [[nodiscard]] VectorXd slope(const VectorXd& values) const { return divergence_.slope(values); }
-  /// Directions of the values; none for drives that the arm is taken not to have.
+  /// Directions of the values; none for drives that the arm does not have.
   [[nodiscard]] MatrixXd directions(const VectorXd& values) const {
     MatrixXd result = divergence_.directions(values);
     for (const Index k : fixed_) result.col(k).setZero();
@@ -103,6 +107,26 @@ class Problem {
   Linear equations, wish;
 
  private:
+  /// A parameter that is zero, and that drives without offsets alone make up, all with one sign, says that
+  /// these are zero: a place at the border, to which no step would lead.
+  void leave_out_zero_drives(Index standard) {
+    const double greatest = equations.sides.cwiseAbs().maxCoeff();
+    for (Index k = 0; k < equations.rows.rows(); ++k) {
+      if (std::abs(equations.sides[k]) > zero_share * greatest) continue;
+      const VectorXd row = equations.rows.row(k).transpose();
+      const double none = zero_share * row.cwiseAbs().maxCoeff();
+      bool has_others = row.head(standard).cwiseAbs().maxCoeff() > none;
+      for (Index i = standard + 3; i < row.size(); i += 4) has_others = has_others || std::abs(row[i]) > none;
+      if (has_others || (row.minCoeff() < -none && row.maxCoeff() > none)) continue;
+      equations.sides[k] = 0;
+      for (Index i = standard; i < row.size(); ++i)
+        if (std::abs(row[i]) > none) {
+          equations.rows.col(i).setZero();
+          fixed_.push_back(i);
+        }
+    }
+  }
+
   void add_mass(double mass, Index links) {
     VectorXd row = VectorXd::Zero(equations.rows.cols());
     for (Index i = 0; i < links; ++i) row[10 * i] = 1;
@@ -110,10 +134,12 @@ class Problem {
     wish.append(row / (mass_share * mass), 1 / mass_share);
   }
 
+  /// Coulomb friction of a joint that several motors move has no part in any parameter either.
   void place_fixed(const ArmRegressor& arm) {
     for (Index k = arm.standard(); k < equations.rows.cols(); ++k) {
       const auto kind = static_cast<DriveParameter>((k - arm.standard()) % 4);
-      if (std::find(arm.drives.begin(), arm.drives.end(), kind) == arm.drives.end()) fixed_.push_back(k);
+      const bool is_left_out = std::find(arm.drives.begin(), arm.drives.end(), kind) == arm.drives.end();
+      if (is_left_out || arm.combination.col(k).isZero(0)) fixed_.push_back(k);
     }
   }
 

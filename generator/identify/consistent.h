@@ -30,13 +30,14 @@ Standard standard_of(const PseudoInertia& inertia);
 /// Guess of the whole set, before any data.
 struct Prior {
   std::vector<PseudoInertia> links;  ///< positive definite, a link each
-  Eigen::VectorXd drives;            ///< four a joint, above 0
+  Eigen::VectorXd drives;            ///< four a joint, then four a motor, above 0
   std::optional<double> mass;        ///< of all links together, kg: holds exactly
 };
 
 struct FullSet {
-  Eigen::VectorXd values;  ///< standard parameters of all links, then drive parameters of all joints
-  bool exact = false;      ///< the identified parameters come out to rounding
+  Eigen::VectorXd
+      values;          ///< standard parameters of all links, then drive parameters of all joints and motors
+  bool exact = false;  ///< the identified parameters come out to rounding
   /// Growth of the weighted sum of squared residuals; zero if exact. One is the noise of a single row.
   double distance = 0;
 };

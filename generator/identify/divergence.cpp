@@ -74,11 +74,11 @@ Divergence::Divergence(const Prior& prior) : prior_(prior) {
 }
 
 VectorXd Divergence::prior() const {
-  VectorXd values(14 * links());
+  VectorXd values(10 * links() + drives());
   for (Index i = 0; i < links(); ++i)
     values.segment<10>(10 * i) = standard_of(prior_.links[static_cast<std::size_t>(i)]);
-  values.tail(4 * links()) = prior_.drives;
-  for (Index k = 3; k < 4 * links(); k += 4) values[10 * links() + k] = 0;
+  values.tail(drives()) = prior_.drives;
+  for (Index k = 3; k < drives(); k += 4) values[10 * links() + k] = 0;
   return values;
 }
 
@@ -89,7 +89,7 @@ double Divergence::at(const VectorXd& values) const {
     const PseudoInertia link = link_of(values, i);
     sum += (inverse * link).trace() - log_determinant(link) - log_determinant(inverse) - 4;
   }
-  for (Index k = 0; k < 4 * links(); ++k) {
+  for (Index k = 0; k < drives(); ++k) {
     const double share = values[10 * links() + k] / prior_.drives[k];
     if (has_sign(k) && !(share > 0)) return infinite;
     sum += has_sign(k) ? share - std::log(share) - 1 : share * share / 2;
@@ -105,7 +105,7 @@ MatrixXd Divergence::directions(const VectorXd& values) const {
       result.block<10, 1>(10 * i, 10 * i + k) =
           standard_of(factor * symmetric_basis()[static_cast<std::size_t>(k)] * factor.transpose());
   }
-  for (Index k = 0; k < 4 * links(); ++k) {
+  for (Index k = 0; k < drives(); ++k) {
     const Index place = 10 * links() + k;
     result(place, place) = has_sign(k) ? values[place] : prior_.drives[k];
   }
@@ -121,7 +121,7 @@ VectorXd Divergence::slope(const VectorXd& values) const {
     for (Index k = 0; k < 10; ++k)
       result[10 * i + k] = difference.cwiseProduct(symmetric_basis()[static_cast<std::size_t>(k)]).sum();
   }
-  for (Index k = 0; k < 4 * links(); ++k) {
+  for (Index k = 0; k < drives(); ++k) {
     const double share = values[10 * links() + k] / prior_.drives[k];
     result[10 * links() + k] = has_sign(k) ? share - 1 : share;
   }

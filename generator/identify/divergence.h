@@ -9,7 +9,7 @@
 
 namespace qvgen::identify {
 
-/// Values are standard parameters of all links, then drive parameters of all joints.
+/// Values are standard parameters of all links, then drive parameters of all joints and motors.
 class Divergence {
  public:
   explicit Divergence(const Prior& prior);
@@ -26,6 +26,7 @@ class Divergence {
 
  private:
   [[nodiscard]] Eigen::Index links() const { return static_cast<Eigen::Index>(inverse_.size()); }
+  [[nodiscard]] Eigen::Index drives() const { return prior_.drives.size(); }
   [[nodiscard]] static bool has_sign(Eigen::Index drive) { return drive % 4 != 3; }  ///< all but offsets
 
   Prior prior_;

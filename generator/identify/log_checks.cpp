@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/evaluate.h"
-#include "model/followers.h"
+#include "model/motor_ranges.h"
 
 namespace qvgen::identify {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::Index;
 
 /// Beyond its limits by this much (rad, m) a joint has been moved by hand; further, the unit is another.
 constexpr double beyond_limits = 0.2;
-/// More turns than that a joint without limits does not make in a log.
+/// Farther than that (rad, m) a joint without limits does not go in a log; a motor by its gear farther.
 constexpr double most_turned = 60;
 /// A torque that stays at its greatest value for so many rows, while the joint moves, is a motor at its
 /// bound.
@@ -42,8 +42,8 @@ void check_time(LogResult& result) {
   }
 }
 
-std::pair<double, double> bounds_of(const model::Joint& joint, const model::Bindings& values) {
-  if (!joint.limits) return {-most_turned, most_turned};
+std::pair<double, double> bounds_of(const model::Joint& joint, double gear, const model::Bindings& values) {
+  if (!joint.limits) return {-most_turned * gear, most_turned * gear};
   return {model::to_double(model::evaluate(joint.limits->lower, values)) - beyond_limits,
           model::to_double(model::evaluate(joint.limits->upper, values)) + beyond_limits};
 }
@@ -51,8 +51,9 @@ std::pair<double, double> bounds_of(const model::Joint& joint, const model::Bind
 void check_positions(const model::Robot& robot, LogResult& result) {
   const model::Bindings values = model::default_bindings(robot);
   const std::vector<model::Joint> joints = model::driven_joints(robot);
+  const std::vector<double> gears = model::greatest_gears(robot);
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const auto [lower, upper] = bounds_of(joints[i], values);
+    const auto [lower, upper] = bounds_of(joints[i], gears[i], values);
     const auto q = result.log.q.col(static_cast<Index>(i));
     for (Index k = 0; k < q.size(); ++k) {
       if (q[k] >= lower && q[k] <= upper) continue;
@@ -66,6 +67,20 @@ void check_positions(const model::Robot& robot, LogResult& result) {
       break;
     }
   }
+}
+
+/// Looks for joints that several motors move beyond limits of their own.
+void check_shared_limits(const model::Robot& robot, LogResult& result) {
+  for (const model::SharedLimits& limits : model::shared_limits(robot))
+    for (Index k = 0; k < result.log.samples(); ++k) {
+      const double value = limits.at(result.log.q.row(k));
+      if (value >= limits.lower - beyond_limits && value <= limits.upper + beyond_limits) continue;
+      say(result, k, Diagnostic::error,
+          fmt::format("{} = {:g} (rad, m), beyond the limits of the joint '{}'", limits.sum, value,
+                      limits.joint),
+          "are columns of two motors swapped, or does one count the other way?");
+      break;
+    }
 }
 
 /// Slope of the positions about a sample.
@@ -133,6 +148,7 @@ void take_saturated(LogResult& result) {
 void check_log(const model::Robot& robot, LogResult& result) {
   check_time(result);
   check_positions(robot, result);
+  if (result.good()) check_shared_limits(robot, result);
   if (result.good()) check_rates(result);
   take_saturated(result);
 }

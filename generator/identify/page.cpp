@@ -179,7 +179,7 @@ Section untold_section(const Identification& found) {
 
 Section full_section(const Identification& found) {
   HtmlTable table{"Bodies nearest to the prior that give these torques",
-                  {text_cell("link"),
+                  {text_cell(found.arm.motors.empty() ? "link" : "link or motor"),
                    {"mass, kg", true},
                    {"centre x, m", true},
                    {"y", true},
@@ -189,11 +189,17 @@ Section full_section(const Identification& found) {
                    {"Coulomb", true},
                    {"offset", true}},
                   {}};
-  for (std::size_t i = 0; i < found.arm.links; ++i) {
-    const auto p = found.full.values.segment<10>(10 * static_cast<Index>(i));
-    const auto d = found.full.values.segment<4>(found.arm.standard() + 4 * static_cast<Index>(i));
-    std::vector<Cell> cells{report::count_cell(static_cast<int>(i) + 1)};
-    for (const double each : {p[0], p[1] / p[0], p[2] / p[0], p[3] / p[0], d[0], d[1], d[2], d[3]})
+  for (std::size_t i = 0; i < found.arm.drive_units(); ++i) {
+    std::vector<Cell> cells{i < found.arm.links ? report::count_cell(static_cast<int>(i) + 1)
+                                                : text_cell(found.arm.drive_name(i))};
+    if (i < found.arm.links) {
+      const auto p = found.full.values.segment<10>(10 * static_cast<Index>(i));
+      for (const double each : {p[0], p[1] / p[0], p[2] / p[0], p[3] / p[0]})
+        cells.push_back(number_cell(each, 4));
+    } else {
+      cells.resize(cells.size() + 4, text_cell(""));
+    }
+    for (const double each : found.full.values.segment<4>(found.arm.standard() + 4 * static_cast<Index>(i)))
       cells.push_back(number_cell(each, 4));
     table.rows.push_back(cells);
   }

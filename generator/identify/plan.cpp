@@ -12,7 +12,7 @@
 
 #include "identify/prior.h"
 #include "model/evaluate.h"
-#include "model/followers.h"
+#include "model/motor_ranges.h"
 
 namespace qvgen::identify {
 namespace {
@@ -31,6 +31,7 @@ constexpr double free_range = std::numbers::pi / 2;
 
 struct Range {
   double middle, half, speed;
+  bool has_limits = false;
 };
 
 /// Coefficients of sines, then of cosines: a row a joint.
@@ -44,7 +45,7 @@ Range range_of(const model::Joint& joint, const model::Bindings& values, const P
   Range range{0, free_range, request.speed};
   if (joint.limits) {
     const double lower = number(joint.limits->lower, values), upper = number(joint.limits->upper, values);
-    range = {(lower + upper) / 2, (upper - lower) / 2, request.speed};
+    range = {(lower + upper) / 2, (upper - lower) / 2, request.speed, true};
   } else if (joint.type == model::JointType::prismatic) {
     throw std::runtime_error(joint.variable +
                              " slides and has no limits: write limits = [lower, upper], so that a "
@@ -56,11 +57,56 @@ Range range_of(const model::Joint& joint, const model::Bindings& values, const P
   return range;
 }
 
+double sum_of_middles(const model::SharedLimits& limits, const std::vector<Range>& ranges) {
+  double sum = 0;
+  for (const model::Share& share : limits.shares)
+    sum += cln::double_approx(share.ratio) * ranges[share.driven].middle;
+  return sum;
+}
+
+/// Moves the middles of some motors' ranges by the shortest way that takes their joint from the outer halves
+/// of its range to the middle.
+void take_to_middle(const model::SharedLimits& limits, std::vector<Range>& ranges) {
+  const double middle = (limits.lower + limits.upper) / 2, off = middle - sum_of_middles(limits, ranges);
+  if (std::abs(off) <= (limits.upper - limits.lower) / 4) return;
+  double squares = 0;
+  for (const model::Share& share : limits.shares) squares += std::pow(cln::double_approx(share.ratio), 2);
+  for (const model::Share& share : limits.shares) {
+    Range& range = ranges[share.driven];
+    const double by = off / squares * cln::double_approx(share.ratio);
+    range.middle += by;
+    if (range.has_limits) range.half -= std::abs(by);
+  }
+}
+
+/// Makes ranges so small that their joint stays inside wherever the motors are.
+void narrow(const model::SharedLimits& limits, double part, std::vector<Range>& ranges) {
+  const double at = sum_of_middles(limits, ranges),
+               room = part * std::min(limits.upper - at, at - limits.lower);
+  double need = 0;
+  bool has_room = room > 0;
+  for (const model::Share& share : limits.shares) {
+    need += std::abs(cln::double_approx(share.ratio)) * ranges[share.driven].half;
+    has_room = has_room && ranges[share.driven].half > 0;
+  }
+  if (!has_room)
+    throw std::runtime_error(
+        fmt::format("the limits of '{}' = {} and those of its motors leave no room about one "
+                    "middle: correct them",
+                    limits.joint, limits.sum));
+  for (const model::Share& share : limits.shares) ranges[share.driven].half *= std::min(1.0, room / need);
+}
+
 std::vector<Range> ranges_of(const model::Robot& robot, const PlanRequest& request) {
+  constexpr int sweeps = 20;
   const model::Bindings values = model::default_bindings(robot);
   std::vector<Range> ranges;
   for (const model::Joint& joint : model::driven_joints(robot))
     ranges.push_back(range_of(joint, values, request));
+  const std::vector<model::SharedLimits> shared = model::shared_limits(robot);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (const model::SharedLimits& limits : shared) take_to_middle(limits, ranges);
+  for (const model::SharedLimits& limits : shared) narrow(limits, request.share, ranges);
   return ranges;
 }
 

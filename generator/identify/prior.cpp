@@ -82,9 +82,9 @@ std::vector<PseudoInertia> rods_of(const model::Robot& robot, const model::Bindi
   return rods;
 }
 
-/// All values of links: drives zero.
-VectorXd values_of_links(const std::vector<PseudoInertia>& links) {
-  VectorXd values = VectorXd::Zero(14 * static_cast<Index>(links.size()));
+/// All values of links: so many drives are zero.
+VectorXd values_of_links(const std::vector<PseudoInertia>& links, std::size_t drives) {
+  VectorXd values = VectorXd::Zero(static_cast<Index>(10 * links.size() + 4 * drives));
   for (std::size_t i = 0; i < links.size(); ++i)
     values.segment<10>(10 * static_cast<Index>(i)) = standard_of(links[i]);
   return values;
@@ -95,8 +95,9 @@ VectorXd values_of_links(const std::vector<PseudoInertia>& links) {
 double fitting_mass(const ArmRegressor& arm, const Estimate& estimate,
                     const std::vector<PseudoInertia>& known, const std::vector<PseudoInertia>& rods) {
   constexpr double least_share = 0.3;
-  const VectorXd fixed = estimate.information * (arm.combination * values_of_links(known));
-  const VectorXd each = estimate.information * (arm.combination * values_of_links(rods));
+  const std::size_t drives = arm.drive_units();
+  const VectorXd fixed = estimate.information * (arm.combination * values_of_links(known, drives));
+  const VectorXd each = estimate.information * (arm.combination * values_of_links(rods, drives));
   const VectorXd rest = estimate.right_side - fixed;
   const double length = each.norm();
   if (!(length > 0)) return 1;
@@ -112,12 +113,33 @@ double positive_or(const model::Expression& expression, const model::Bindings& v
   }
 }
 
+/// A drive in its place, and whether motors that are no joints move the joint that has it.
+struct PlacedDrive {
+  model::Drive drive;
+  bool is_behind_motors = false;
+};
+
+/// Returns the drives in the order of their parameters.
+std::vector<PlacedDrive> all_drives_of(const model::Robot& robot) {
+  std::vector<PlacedDrive> drives;
+  for (const model::Joint& joint : robot.joints)
+    drives.push_back({joint.drive, !joint.follows.empty() && !robot.motors.empty()});
+  for (const model::Motor& motor : robot.motors) drives.push_back({motor.drive, false});
+  return drives;
+}
+
+/// Returns the guess of all drives. What motions do not tell apart, motors have rather than the joints behind
+/// them.
 VectorXd drives_of(const model::Robot& robot, const model::Bindings& values, double typical) {
-  VectorXd drives(4 * static_cast<Index>(robot.joints.size()));
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const model::Drive& drive = robot.joints[i].drive;
-    drives.segment<4>(4 * static_cast<Index>(i)) << positive_or(drive.rotor_inertia, values, typical),
-        positive_or(drive.viscous_friction, values, 1), positive_or(drive.coulomb_friction, values, 1), 1;
+  constexpr double share_behind_motors = 0.1;
+  const std::vector<PlacedDrive> all = all_drives_of(robot);
+  VectorXd drives(4 * static_cast<Index>(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [drive, is_behind_motors] = all[i];
+    const double share = is_behind_motors ? share_behind_motors : 1;
+    drives.segment<4>(4 * static_cast<Index>(i)) << positive_or(drive.rotor_inertia, values, share * typical),
+        positive_or(drive.viscous_friction, values, share),
+        positive_or(drive.coulomb_friction, values, share), share;
   }
   return drives;
 }
@@ -132,9 +154,10 @@ std::optional<VectorXd> described_parameters(const model::Robot& robot) {
     if (!link) return std::nullopt;
     links.push_back(*link);
   }
-  VectorXd result = values_of_links(links);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const model::Drive& drive = robot.joints[i].drive;
+  const std::vector<PlacedDrive> drives = all_drives_of(robot);
+  VectorXd result = values_of_links(links, drives.size());
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const model::Drive& drive = drives[i].drive;
     result.segment<3>(static_cast<Index>(10 * links.size() + 4 * i))
         << positive_or(drive.rotor_inertia, values, 0),
         positive_or(drive.viscous_friction, values, 0), positive_or(drive.coulomb_friction, values, 0);

@@ -16,8 +16,8 @@ namespace qvgen::identify {
 Prior prior_of(const model::Robot& robot, const ArmRegressor& arm, const Estimate& estimate,
                std::optional<double> mass);
 
-/// Returns the description's own parameters, ten a link and four a drive as ArmRegressor::combination takes
-/// them; nothing if a link has none. Drives without numbers are zero.
+/// Returns the description's own parameters, ten a link and four a drive, those of motors last, as
+/// ArmRegressor::combination takes them; nothing if a link has none. Drives without numbers are zero.
 std::optional<Eigen::VectorXd> described_parameters(const model::Robot& robot);
 
 }  // namespace qvgen::identify

@@ -23,10 +23,10 @@ constexpr std::array standard_names{"m", "hx", "hy", "hz", "Ixx", "Iyy", "Izz", 
 constexpr std::array drive_names{"Ia", "fv", "fc", "off"};
 
 std::string name_of(const ArmRegressor& arm, Index place) {
-  const Index behind = place - arm.standard();
-  const auto text = [](const char* name, Index number) { return name + std::to_string(number + 1); };
-  return behind < 0 ? text(standard_names[static_cast<std::size_t>(place % 10)], place / 10)
-                    : text(drive_names[static_cast<std::size_t>(behind % 4)], behind / 4);
+  if (place < arm.standard())
+    return standard_names[static_cast<std::size_t>(place % 10)] + std::to_string(place / 10 + 1);
+  const auto drive = static_cast<std::size_t>(place - arm.standard()), unit = drive / 4;
+  return std::string(drive_names[drive % 4]) + (unit < arm.links ? "" : "_") + arm.drive_name(unit);
 }
 
 std::string term(double factor, const std::string& name, bool first) {
@@ -101,6 +101,11 @@ std::string parameters_text(const Identification& found) {
          "well be zero\n";
 }
 
+std::string drive_text(const Identification& found, std::size_t unit) {
+  const auto d = found.full.values.segment<4>(found.arm.standard() + 4 * static_cast<Index>(unit));
+  return fmt::format("{:>12.4g}{:>11.4g}{:>11.4g}{:>11.4g}\n", d[0], d[1], d[2], d[3]);
+}
+
 std::string full_text(const Identification& found) {
   const ArmRegressor& arm = found.arm;
   std::string text =
@@ -115,10 +120,12 @@ std::string full_text(const Identification& found) {
   for (std::size_t i = 0; i < arm.links; ++i) {
     const auto link = static_cast<Index>(i);
     const auto p = found.full.values.segment<10>(10 * link);
-    const auto d = found.full.values.segment<4>(arm.standard() + 4 * link);
-    text += fmt::format("{:<6}{:>11.5g}{:>11.4g}{:>11.4g}{:>11.4g}{:>12.4g}{:>11.4g}{:>11.4g}{:>11.4g}\n",
-                        i + 1, p[0], p[1] / p[0], p[2] / p[0], p[3] / p[0], d[0], d[1], d[2], d[3]);
+    text += fmt::format("{:<6}{:>11.5g}{:>11.4g}{:>11.4g}{:>11.4g}{}", i + 1, p[0], p[1] / p[0], p[2] / p[0],
+                        p[3] / p[0], drive_text(found, i));
   }
+  if (!arm.motors.empty()) text += "motor\n";
+  for (std::size_t i = arm.links; i < arm.drive_units(); ++i)
+    text += fmt::format("{:<50}{}", arm.drive_name(i), drive_text(found, i));
   return text;
 }
 

@@ -31,12 +31,14 @@ struct Link {
   double mass;
   Eigen::Vector3d centre;
   std::array<double, 6> inertia;  ///< about the centre: xx yy zz xy yz xz
-  std::array<double, 4> drive;
 };
 
-Link link_of(const Eigen::VectorXd& values, Index link, Index links) {
+/// Rotor inertia, viscous and Coulomb friction, offset.
+using Drive = std::array<double, 4>;
+
+Link numbers_of(const Eigen::VectorXd& values, Index link) {
   const auto p = values.segment<10>(10 * link);
-  Link result{p[0], Eigen::Vector3d::Zero(), {}, {}};
+  Link result{p[0], Eigen::Vector3d::Zero(), {}};
   if (p[0] != 0) result.centre = p.segment<3>(1) / p[0];
   const Eigen::Vector3d& c = result.centre;
   const double squares = c.squaredNorm();
@@ -46,8 +48,13 @@ Link link_of(const Eigen::VectorXd& values, Index link, Index links) {
     const Index a = k == 2 ? 0 : i, b = k == 2 ? 2 : j;  // xy, yz, xz
     result.inertia[3 + k] = p[7 + i] + p[0] * c[a] * c[b];
   }
-  for (std::size_t k = 0; k < 4; ++k) result.drive[k] = values[10 * links + 4 * link + static_cast<Index>(k)];
   return result;
+}
+
+/// The drive of a joint, or behind those of so many links of a motor.
+Drive drive_of(const Eigen::VectorXd& values, Index unit, Index links) {
+  const auto d = values.segment<4>(10 * links + 4 * unit);
+  return {d[0], d[1], d[2], d[3]};
 }
 
 /// The exact value of the shortest decimals that a double is read from.
@@ -74,17 +81,16 @@ std::string list(const double* numbers, std::size_t count, double unit = 1) {
   return "[" + result + "]";
 }
 
-/// The lines of a joint's table.
 std::vector<std::string> lines_of(const Link& link, double unit) {
-  std::vector<std::string> lines{fmt::format("mass = {}", link.mass),
-                                 "centre_of_mass = " + list(link.centre.data(), 3, unit),
-                                 "inertia = " + list(link.inertia.data(), 6)};
+  return {fmt::format("mass = {}", link.mass), "centre_of_mass = " + list(link.centre.data(), 3, unit),
+          "inertia = " + list(link.inertia.data(), 6)};
+}
+
+void add_lines(const Drive& drive, std::vector<std::string>& lines) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (link.drive[k] != 0) lines.push_back(fmt::format("{} = {}", written_keys[3 + k], link.drive[k]));
-  if (link.drive[3] != 0)
-    lines.push_back(
-        fmt::format("# constant force of the drive, which no description takes: {}", link.drive[3]));
-  return lines;
+    if (drive[k] != 0) lines.push_back(fmt::format("{} = {}", written_keys[3 + k], drive[k]));
+  if (drive[3] != 0)
+    lines.push_back(fmt::format("# constant force of the drive, which no description takes: {}", drive[3]));
 }
 
 /// The text by lines, some of which go and behind some of which others come.
@@ -142,10 +148,11 @@ std::size_t last_line(const toml::table& table) {
   return line;
 }
 
-/// The tables of the joints, in the order of the chain.
-std::vector<const toml::table*> joint_tables(const toml::table& root) {
+/// The tables of the joints, in the order of the chain, or those of the motors. None if one is written in a
+/// line.
+std::vector<const toml::table*> tables_of(const toml::table& root, const std::vector<const char*>& forms) {
   std::vector<const toml::table*> tables;
-  for (const char* form : {"joint", "dh", "screw"}) {
+  for (const char* form : forms) {
     const toml::array* array = root[form].as_array();
     if (array == nullptr) continue;
     for (const toml::node& node : *array) {
@@ -173,22 +180,27 @@ std::string commented(const std::string& head) {
 std::string edited(const toml::table& root, const std::string& text, const model::Robot& robot,
                    const Eigen::VectorXd& values) {
   Lines lines(text);
-  const auto tables = joint_tables(root);
-  if (tables.size() != robot.joints.size())
+  const auto tables = tables_of(root, {"joint", "dh", "screw"}), motors = tables_of(root, {"motor"});
+  if (tables.size() != robot.joints.size() || motors.size() != robot.motors.size())
     throw std::runtime_error(
-        "the joints of the description are not [[joint]], [[dh]] or [[screw]] tables of their own, whose "
-        "lines could "
-        "be changed; write them so");
+        "the joints of the description are not [[joint]], [[dh]] or [[screw]] tables of their own, or its "
+        "motors no [[motor]] tables, whose lines could be changed; write them so");
   remove_entries(root, std::array{"inertia", "drives"}, lines);
   std::vector<std::string> symbols;
   for (const model::Parameter& parameter : robot.inertia_parameters) symbols.push_back(parameter.name);
   if (const toml::table* defaults = root["defaults"].as_table();
       defaults != nullptr && !defaults->is_inline())
     remove_entries(*defaults, symbols, lines);
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    remove_entries(*tables[i], written_keys, lines);
-    const Link link = link_of(values, static_cast<Index>(i), static_cast<Index>(tables.size()));
-    lines.insert_behind(last_line(*tables[i]), lines_of(link, unit_of(root)));
+  const auto links = static_cast<Index>(tables.size());
+  for (std::size_t i = 0; i < tables.size() + motors.size(); ++i) {
+    const bool is_joint = i < tables.size();
+    const auto unit = static_cast<Index>(i);
+    const toml::table& table = is_joint ? *tables[i] : *motors[i - tables.size()];
+    remove_entries(table, written_keys, lines);
+    std::vector<std::string> more;
+    if (is_joint) more = lines_of(numbers_of(values, unit), unit_of(root));
+    add_lines(drive_of(values, unit, links), more);
+    lines.insert_behind(last_line(table), more);
   }
   return lines.text();
 }
@@ -197,15 +209,21 @@ std::string edited(const toml::table& root, const std::string& text, const model
 
 model::Robot with_values(model::Robot robot, const Eigen::VectorXd& values) {
   const auto links = static_cast<Index>(robot.joints.size());
+  const auto exact_drive = [&](Index unit) {
+    const Drive drive = drive_of(values, unit, links);
+    return model::Drive{exact(drive[0]), exact(drive[1]), exact(drive[2])};
+  };
   for (Index i = 0; i < links; ++i) {
-    const Link link = link_of(values, i, links);
+    const Link link = numbers_of(values, i);
     model::Joint& joint = robot.joints[static_cast<std::size_t>(i)];
     joint.inertia.mass = exact(link.mass);
     for (std::size_t k = 0; k < 3; ++k)
       joint.inertia.centre_of_mass[k] = exact(link.centre[static_cast<Index>(k)]);
     for (std::size_t k = 0; k < 6; ++k) joint.inertia.inertia[k] = exact(link.inertia[k]);
-    joint.drive = {exact(link.drive[0]), exact(link.drive[1]), exact(link.drive[2])};
+    joint.drive = exact_drive(i);
   }
+  for (std::size_t i = 0; i < robot.motors.size(); ++i)
+    robot.motors[i].drive = exact_drive(links + static_cast<Index>(i));
   robot.inertia_parameters.clear();
   return robot;
 }
@@ -227,12 +245,13 @@ std::string written_urdf(const std::string& text, const description::ReadOptions
   Index number = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!steps[i].moves) continue;
-    const Link link = link_of(values, number++, links);
+    const Drive drive = drive_of(values, number, links);
+    const Link link = numbers_of(values, number++);
     edit.set_inertia(i, {link.mass, {link.centre[0], link.centre[1], link.centre[2]}, link.inertia});
-    edit.set_friction(i, link.drive[1], link.drive[2]);
-    if (link.drive[0] != 0 || link.drive[3] != 0)
+    edit.set_friction(i, drive[1], drive[2]);
+    if (drive[0] != 0 || drive[3] != 0)
       comment += fmt::format("\n{}: rotor inertia {} kg m^2 (kg), constant force of the drive {} Nm (N)",
-                             steps[i].joint, link.drive[0], link.drive[3]);
+                             steps[i].joint, drive[0], drive[3]);
   }
   edit.add_comment(comment);
   return edit.text();

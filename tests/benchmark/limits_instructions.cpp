@@ -13,6 +13,10 @@
 #include <qvgen/robots/irb6640.h>
 #include <qvgen/robots/puma560.h>
 #include <qvgen/robots/ur5.h>
+#ifdef QVGEN_MOTOR_ARMS
+#include <qvgen/robots/bevel_arm.h>
+#include <qvgen/robots/nested_wrist.h>
+#endif
 
 namespace {
 
@@ -54,8 +58,9 @@ void add(const Found& found, Sums& sums) {
 constexpr const char* calls[] = {"all",         "seed",   "seed_limits", "nearest", "near",
                                  "near_limits", "limits", "wide",        "turns",   "visits"};
 
-// The arm of a namespace `arm`, a type that has its functions.
-#define QVGEN_ARM_FUNCTIONS(name)                                        \
+// The arm of a namespace `arm`, a type that has its functions, with limits of half a turn and a little less,
+// as most arms have them, and of a whole turn to either side.
+#define QVGEN_ARM_FUNCTIONS(name, narrow_limits, wide_limits)            \
   struct name {                                                          \
     static constexpr const char* text = #name;                           \
     template <class... Arguments>                                        \
@@ -69,11 +74,18 @@ constexpr const char* calls[] = {"all",         "seed",   "seed_limits", "neares
     static qvgen::Pose<double> forward(const Joints& q) {                \
       return qvgen::robots::name::forward_kinematics<double>(q);         \
     }                                                                    \
-    static Limits limits() { return qvgen::robots::name::Limits(); }     \
+    static Limits narrow() { return narrow_limits; }                     \
+    static Limits wide() { return wide_limits; }                         \
   };
-QVGEN_ARM_FUNCTIONS(irb6640)
-QVGEN_ARM_FUNCTIONS(puma560)
-QVGEN_ARM_FUNCTIONS(ur5)
+QVGEN_ARM_FUNCTIONS(irb6640, symmetric(170), symmetric(360))
+QVGEN_ARM_FUNCTIONS(puma560, symmetric(170), symmetric(360))
+QVGEN_ARM_FUNCTIONS(ur5, symmetric(170), symmetric(360))
+#ifdef QVGEN_MOTOR_ARMS
+// Motors have the description's limits, some of which are two turns; `wide` are twice as far.
+Limits twice(const Limits& limits) { return {2 * limits.lower, 2 * limits.upper}; }
+QVGEN_ARM_FUNCTIONS(bevel_arm, qvgen::robots::bevel_arm::Limits(), twice(narrow()))
+QVGEN_ARM_FUNCTIONS(nested_wrist, qvgen::robots::nested_wrist::Limits(), twice(narrow()))
+#endif
 #undef QVGEN_ARM_FUNCTIONS
 
 template <class Arm>
@@ -98,12 +110,11 @@ Sums summed(const std::vector<Query>& all, const Call& call) {
 }
 
 /// One call for each query, all rows read, but for `nearest`, which is `seed_limits` with its first row read:
-/// how many rows there are is not guessed by the processor. Limits of half a turn and a little less, as most
-/// arms have; `wide`: of a whole turn to either side, counted; `turns`: every representative visited,
-/// `visits`: by `for_each`.
+/// how many rows there are is not guessed by the processor. `wide`: rows within the wide limits, counted;
+/// `turns`: every representative visited, `visits`: by `for_each`.
 template <class Arm>
 Sums run(const std::string& call, const std::vector<Query>& all) {
-  const Limits narrow = symmetric(170), wide = symmetric(360);
+  const Limits narrow = Arm::narrow(), wide = Arm::wide();
   if (call == "all") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose); });
   if (call == "seed") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed); });
   if (call == "seed_limits")
@@ -149,7 +160,7 @@ double nanoseconds(const std::string& call, const std::vector<Query>& all) {
 template <class Arm>
 void print_times() {
   const auto all = queries<Arm>(2000);
-  std::printf("%-10s", Arm::text);
+  std::printf("%-13s", Arm::text);
   const double unlimited = nanoseconds<Arm>("all", all);
   for (const char* call : calls) {
     const double time = nanoseconds<Arm>(call, all);
@@ -171,16 +182,22 @@ bool count(const char* arm, const char* call, int poses) {
 int main(int argc, char** argv) {
   if (argc == 4) {
     const int poses = std::atoi(argv[3]);
-    return count<irb6640>(argv[1], argv[2], poses) || count<puma560>(argv[1], argv[2], poses) ||
-                   count<ur5>(argv[1], argv[2], poses)
-               ? 0
-               : 2;
+    const bool is_known = count<irb6640>(argv[1], argv[2], poses) ||
+                          count<puma560>(argv[1], argv[2], poses) || count<ur5>(argv[1], argv[2], poses);
+#ifdef QVGEN_MOTOR_ARMS
+    if (count<bevel_arm>(argv[1], argv[2], poses) || count<nested_wrist>(argv[1], argv[2], poses)) return 0;
+#endif
+    return is_known ? 0 : 2;
   }
-  std::printf("%-10s", "ns a call");
+  std::printf("%-13s", "ns a call");
   for (const char* call : calls) std::printf("%14s%7s", call, "");
   std::printf("\n");
   print_times<irb6640>();
   print_times<puma560>();
   print_times<ur5>();
+#ifdef QVGEN_MOTOR_ARMS
+  print_times<bevel_arm>();
+  print_times<nested_wrist>();
+#endif
   return 0;
 }

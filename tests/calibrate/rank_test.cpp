@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../identify/random_arm.h"
 #include "reference/linear_algebra.h"
 #include "simulate.h"
 
@@ -72,6 +73,23 @@ TEST(Rank, OfRandomArmsIsThatOfDifferences) {
     ++compared;
   }
   EXPECT_GE(compared, 100);
+}
+
+/// Values are those of motors: errors of joints are told as if each joint had been read.
+TEST(Rank, OfArmsWithMotorsIsThatOfDifferences) {
+  std::mt19937 random(5);
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    const std::string kind = std::vector<std::string>{"RRR", "RRRR", "RPR", "RRRRR"}[seed % 4];
+    const std::string arm = qvgen::test::ArmWriter(seed).with_motors(kind, false);
+    Scene scene = scene_of_text(arm, 1, 0);
+    scene.data = static_cast<Data>(random() % 3);
+    stand_anywhere(scene);
+    const DataSet set = measure(scene, scene.data == Data::pose ? 40 : 120);
+    const Identifiable can = identifiable(scene.robot, setup_of(set, {Errors::all, false, false, false}));
+    EXPECT_EQ(static_cast<Eigen::Index>(can.candidates.size()), rank_of(scene, set, false, false))
+        << "data " << static_cast<int>(scene.data) << "\n"
+        << arm;
+  }
 }
 
 TEST(Rank, OfWholePosesIsTheKnownCount) {

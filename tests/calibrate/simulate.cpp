@@ -152,9 +152,14 @@ void stand_anywhere(Scene& scene, std::size_t targets) {
 VectorXd random_joints(const Scene& scene) {
   std::uniform_real_distribution<double> angle(-2.6, 2.6), length(0, 0.3);
   VectorXd q(scene.truth.size());
-  Eigen::Index k = 0;
-  for (const reference::Joint& joint : scene.truth.joints)
-    if (joint.leaders.empty()) q[k++] = joint.revolute ? angle(scene.random) : length(scene.random);
+  const std::vector<std::string> driven = scene.truth.driven();
+  for (std::size_t k = 0; k < driven.size(); ++k) {
+    const auto slides = [&](const reference::Joint& joint) {
+      return joint.variable == driven[k] && joint.leaders.empty() && !joint.revolute;
+    };
+    const bool is_slide = std::any_of(scene.truth.joints.begin(), scene.truth.joints.end(), slides);
+    q[static_cast<Eigen::Index>(k)] = is_slide ? length(scene.random) : angle(scene.random);
+  }
   return q;
 }
 

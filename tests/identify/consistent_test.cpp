@@ -51,6 +51,26 @@ TEST(FullSetOfParameters, GivesTheTorquesOfNewMotions) {
   }
 }
 
+/// Logs of motors: drives that cannot be told apart become the motors', and no joint that several of them
+/// move has Coulomb friction, which no description of one takes.
+TEST(FullSetOfParameters, OfMotorsGivesTheTorquesOfNewMotions) {
+  unsigned seed = 70;
+  for (const std::string kind : {"RRR", "RRRRR", "RPR"}) {
+    const std::string text = ArmWriter(++seed).with_motors(kind);
+    const reference::Chain chain = reference::load_text(text);
+    const model::Robot bare = read_arm(without_inertia(text));
+    const Identification found = identify::identify(bare, {simulated(chain, 3000, seed)});
+    EXPECT_TRUE(found.full.exact) << text;
+    const std::string result =
+        identify::written(without_inertia(text), bare, found.full.values, "from a test");
+    MotionLog log = simulated(chain, 200, seed + 100);
+    const Eigen::MatrixXd torque = log.torque;
+    fill_torques(reference::load_text(result), log);
+    EXPECT_LT((log.torque - torque).norm(), 1e-9 * torque.norm()) << result;
+    read_arm(result);
+  }
+}
+
 TEST(FullSetOfParameters, KeepsTheTotalMass) {
   const std::string text = ArmWriter(3).text("RRR");
   const reference::Chain chain = reference::load_text(text);

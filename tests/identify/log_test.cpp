@@ -166,5 +166,49 @@ TEST(Log, SaturatedTorquesAreLeftOutWithTheirLine) {
     EXPECT_EQ(std::isnan(result.log.torque(k, 0)), k >= 20 && k < 40) << k;
 }
 
+/// A wrist with bevel gears, whose tilt has limits of its own.
+const char* const bevel_gears = R"(name = "arm"
+title = "arm"
+[[joint]]
+type = "revolute"
+axis = "+y"
+variable = "tilt"
+follows = "1/2 ml - 1/2 mr"
+limits = [-0.3, 1]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "roll"
+follows = "1/2 ml + 1/2 mr"
+[[motor]]
+variable = "ml"
+[[motor]]
+variable = "mr"
+)";
+
+TEST(Log, OfMotorsHasTheirColumnsAndKeepsTheJointsLimits) {
+  const model::Robot robot = read_arm(bevel_gears);
+  const auto mistakes_of = [&](const std::string& header) {
+    std::ostringstream text;
+    text.precision(17);
+    text << header << "\n";
+    for (int k = 0; k < 100; ++k)
+      text << 0.01 * k << "," << 90 + 0.01 * k << "," << 90 - 0.01 * k << "," << std::sin(k) << ","
+           << std::cos(k) << "\n";
+    std::istringstream stream(text.str());
+    measured::TableOptions table;
+    table.others_are_mistakes = false;
+    return mistakes(identify::log_of(
+        measured::read_table(stream, "log.csv", identify::log_columns(robot, {}), table), robot, {}));
+  };
+  EXPECT_EQ(mistakes_of("time, ml, mr, torque1, torque2"), "");
+  EXPECT_EQ(mistakes_of("time, q1, q2, ml_torque, mr_torque"), "");
+  EXPECT_THAT(
+      mistakes_of("time, mr, ml, torque1, torque2"),
+      HasSubstr("log.csv:53:1: error: 1/2 ml - 1/2 mr = -0.51 (rad, m), beyond the limits of the joint "
+                "'tilt'; are columns of two motors swapped"));
+  EXPECT_THAT(mistakes_of("time, ml, torque1, torque2, other"), HasSubstr("q2"));
+}
+
 }  // namespace
 }  // namespace qvgen::test

@@ -49,6 +49,28 @@ TEST(Plan, KeepsLimitsAndTellsAll) {
   EXPECT_EQ(identify::plan(read_arm(text), request).motion.q, motion.q);  // the same again
 }
 
+/// Joints that several motors move keep limits of their own, wherever the middle of the motors' ranges is.
+TEST(Plan, OfMotorsKeepsTheJointsLimits) {
+  const std::string own = "follows = ", at = "limits = [0.4, 1.9]\n";
+  for (unsigned seed = 40; seed < 44; ++seed) {
+    std::string text = ArmWriter(seed).with_motors("RRRR");
+    for (std::size_t i = 0; (i = text.find(own, i)) != std::string::npos; i += at.size() + own.size())
+      text.insert(i, at);
+    identify::PlanRequest request;
+    request.trials = 6;
+    const identify::Plan plan = identify::plan(read_arm(text), request);
+    const reference::Chain chain = reference::load_text(text);
+    Eigen::MatrixXd joints = chain.coupling() * plan.motion.q.transpose();
+    for (Index i = 0; i < joints.rows(); ++i) {
+      const reference::Joint& joint = chain.joints[static_cast<std::size_t>(i)];
+      if (joint.leaders.empty()) continue;
+      EXPECT_LE(joints.row(i).maxCoeff() + joint.offset, 1.9) << text;
+      EXPECT_GE(joints.row(i).minCoeff() + joint.offset, 0.4) << text;
+    }
+    EXPECT_GT(plan.deviation.minCoeff(), 0) << text;
+  }
+}
+
 /// The greatest share of a limit of torque, by the tests' own dynamics.
 double effort_of(const std::string& text, MotionLog motion, const VectorXd& limits) {
   fill_torques(reference::load_text(text), motion);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random arms whose links are bodies that could be, as descriptions.
+// Random arms whose links are bodies that could be, as descriptions; those with motors have pairs of bevel
+// gears, nested shafts, belts and gears.
 #pragma once
 
 #include <random>
@@ -23,11 +24,64 @@ class ArmWriter {
     return result;
   }
 
+  /// Such an arm whose motors are no joints, or few of them are; constants in the relations, limits of none.
+  std::string with_motors(const std::string& joints, bool drives = true) {
+    std::string result = "# an arm of a test\nname = \"arm\"\ntitle = \"arm\"\n";
+    const std::vector<std::string> relations = relations_of(joints);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      result += joint(joints[i], i + 1, drives && relations[i].empty());
+      if (relations[i].empty()) continue;
+      result += "follows = \"" + relations[i] + "\"\n";
+      if (drives && below(2) == 0)
+        result += fmt::format("rotor_inertia = {}\nviscous_friction = {}\n", number(0.1, 1), number(0.5, 2));
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (relations[i].empty()) continue;
+      result += fmt::format("\n[[motor]]  # number {}\nvariable = \"m{}\"\n", i + 1, i + 1);
+      if (drives)
+        result += fmt::format("rotor_inertia = {}\nviscous_friction = {}\ncoulomb_friction = {}\n",
+                              number(0.1, 1), number(0.5, 2), number(0.5, 3));
+    }
+    return result;
+  }
+
   double number(double lower, double upper) {
     return std::round(std::uniform_real_distribution(lower, upper)(random_) * 1000) / 1000;
   }
 
  private:
+  int below(int count) { return std::uniform_int_distribution(0, count - 1)(random_); }
+  std::string factor() {
+    static const std::string factors[] = {"1/2 ", "-2/3 ", "", "-", "1.06 ", "3/5 "};
+    return factors[below(6)];
+  }
+
+  /// Each joint has a motor of its own name, its own value, or half the sum, or half the difference, of a
+  /// pair.
+  std::vector<std::string> relations_of(const std::string& joints) {
+    std::vector<std::string> relations, leaders;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const std::string own = fmt::format("m{}", i + 1), next = fmt::format("m{}", i + 2);
+      if (i + 1 < joints.size() && below(3) == 0) {
+        relations.push_back(fmt::format("1/2 {} + 1/2 {}", own, next));
+        relations.push_back(fmt::format("({} - {})/2", own, next));
+        leaders.insert(leaders.end(), {own, next});
+        ++i;
+      } else if (below(4) == 0 && i > 0) {
+        relations.emplace_back();
+        leaders.push_back(fmt::format("q{}", i + 1));
+      } else {
+        relations.push_back(factor() + own);
+        for (const std::string& leader : leaders)
+          if (below(2) == 0)
+            relations.back() += " + " + std::string(below(2) == 0 ? "1/3 " : "2/5 ") + leader;
+        leaders.push_back(own);
+      }
+      if (joints[i] == 'R' && !relations.back().empty() && below(2) == 0) relations.back() += " + 10 deg";
+    }
+    return relations;
+  }
+
   std::string joint(char letter, std::size_t count, bool drives) {
     static const std::string axes[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     const std::string& axis = axes[std::uniform_int_distribution<std::size_t>(0, 5)(random_)];

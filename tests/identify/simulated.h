@@ -60,11 +60,11 @@ inline void add_noise(identify::MotionLog& log, const Eigen::VectorXd& deviation
     for (Eigen::Index k = 0; k < log.samples(); ++k) log.torque(k, i) += deviation[i] * normal(random);
 }
 
-/// Standard parameters of all links, then the four drive parameters of all joints, as
+/// Standard parameters of all links, then the four drive parameters of all joints and of all motors, as
 /// identify::ArmRegressor::combination takes them.
 inline Eigen::VectorXd parameters_of(const reference::Chain& chain) {
   const auto links = static_cast<Eigen::Index>(chain.joints.size());
-  Eigen::VectorXd x(14 * links);
+  Eigen::VectorXd x(14 * links + 4 * static_cast<Eigen::Index>(chain.motors.size()));
   for (Eigen::Index i = 0; i < links; ++i) {
     const reference::Joint& joint = chain.joints[static_cast<std::size_t>(i)];
     const Eigen::Vector3d c = joint.centre_of_mass;
@@ -74,6 +74,11 @@ inline Eigen::VectorXd parameters_of(const reference::Chain& chain) {
         about_origin(2, 2), about_origin(0, 1), about_origin(1, 2), about_origin(0, 2);
     x.segment(10 * links + 4 * i, 4) << joint.rotor_inertia, joint.viscous_friction, joint.coulomb_friction,
         0;
+  }
+  Eigen::Index place = 14 * links;
+  for (const reference::Motor& motor : chain.motors) {
+    x.segment(place, 4) << motor.rotor_inertia, motor.viscous_friction, motor.coulomb_friction, 0;
+    place += 4;
   }
   return x;
 }
@@ -93,6 +98,13 @@ inline reference::Chain with_parameters(reference::Chain chain, const Eigen::Vec
     joint.rotor_inertia = d[0];
     joint.viscous_friction = d[1];
     joint.coulomb_friction = d[2];
+  }
+  Eigen::Index place = 14 * links;
+  for (reference::Motor& motor : chain.motors) {
+    motor.rotor_inertia = x[place];
+    motor.viscous_friction = x[place + 1];
+    motor.coulomb_friction = x[place + 2];
+    place += 4;
   }
   return chain;
 }

@@ -13,7 +13,7 @@
 #include <qvgen_bevel_arm_inverse.h>
 #include <qvgen_gantry_inverse.h>
 #include <qvgen_geared_seven_inverse.h>
-#include <qvgen_nested_wrist_inverse.h>
+#include <qvgen_nested_wrist_metrics.h>
 #include <qvgen_rail_seven_inverse.h>
 
 #include "outer_arms.h"

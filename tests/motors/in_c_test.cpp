@@ -4,6 +4,7 @@
 #include "in_c.h"
 
 #include <gtest/gtest.h>
+#include <qvgen/inverse/metrics.h>
 
 #include "reference/linear_algebra.h"
 
@@ -111,6 +112,26 @@ TEST(NestedWrist, WithinLimitsTheSeedComesFirst) {
     lost += (c[0].q - q).norm() > 5e-3 ? 1 : 0;
   }
   EXPECT_LE(lost, 2) << "of 1000";
+}
+
+/// Ways of motors, whose whole turns are those of joints, order rows as in C++.
+TEST(NestedWrist, MetricsOrderRowsAsInCxx) {
+  NestedInC arm;
+  std::mt19937 random{4};
+  const LargestJoint<6> metric;
+  const double* none = nullptr;
+  int reordered = 0;
+  for (int k = 0; k < 100; ++k) {
+    const auto q = arm.random_motors(random, 3), seed = arm.random_motors(random, 20);
+    nested_wrist_solutions found = ask<NestedInC>(NestedInC::all, q, NestedInC::pose(q), none);
+    auto cxx = in_cxx<NestedInC>(found);
+    const auto before = cxx;
+    nested_wrist_sort_by(&found, seed.data(), 0, nested_wrist_largest_joint, nullptr);
+    sort_by(cxx, seed, robots::nested_wrist::turns_of_motors, metric);
+    expect_same(cxx, in_cxx<NestedInC>(found), 0);
+    reordered += before[0].branch != cxx[0].branch ? 1 : 0;
+  }
+  EXPECT_GT(reordered, 50);
 }
 
 TYPED_TEST(InC, RowsWithinLimitsNextToASeedHaveTheBitsOfCxx) {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <qvgen/inverse/metrics.h>
 #include <qvgen/inverse/motors.h>
 
 #include "description/reader.h"
@@ -33,6 +34,10 @@ struct DrawnMap {
   static inline MotorTurns<bounded> turns;
   static inline Eigen::Matrix<double, bounded, dof> matrix;
   static Eigen::Matrix<double, bounded, 1> values(const Vector& motors) { return matrix * motors; }
+  static inline Eigen::Matrix3d by_motors, by_joints;
+  static constexpr std::array<bool, dof> is_revolute{true, true, true};
+  static Vector joints(const Vector& motors) { return by_motors * motors; }
+  static Vector motors(const Vector& joints) { return by_joints * joints; }
 };
 
 struct Arm {
@@ -89,6 +94,8 @@ std::optional<Arm> arm_of(const std::string& text) {
 template <class Map>
 void set_map(const Arm& arm, const model::MotorTurns& found) {
   Map::turns = {};
+  Map::by_motors = arm.matrix;
+  Map::by_joints = arm.inverse;
   Map::turns.count = static_cast<int>(found.turns.size());
   for (std::size_t i = 0; i < found.values.size(); ++i) {
     const model::LimitedValue& value = found.values[i];
@@ -174,15 +181,54 @@ void expect_brute_force(const Arm& arm, std::mt19937& random, Seen& seen) {
       EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                               [&](const auto& found) { return (found.q - each).norm() < 1e-9; }));
   }
+  for (const qvgen::LargestJoint<dof>& metric : {LargestJoint<dof>{}, LargestJoint<dof>{Vector(1, 3, 0.2)}}) {
+    double least = endless;
+    for (const auto& row : rows)
+      for (const Vector& each : representatives(arm, row.q, limits))
+        least = std::min(least, metric(Vector(each - seed)));
+    const auto best = qvgen::nearest(all, seed, metric);
+    ASSERT_EQ(best.has_value(), count > 0);
+    if (best) {
+      EXPECT_NEAR(metric(Vector(best->q - seed)), least, 1e-9);
+    }
+  }
   EXPECT_EQ(all.size(), count);
   EXPECT_EQ(all.status, count == 0 ? Status::unreachable : Status::solved);
   for (const auto& row : all) EXPECT_TRUE(is_inside(arm, row.q, limits));
+  const auto again = nearest_within_limits(all, seed);
+  ASSERT_EQ(again.size(), nearest.size());
+  for (int i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].branch, nearest[i].branch);
   std::sort(expected.begin(), expected.end());
   ASSERT_EQ(static_cast<std::size_t>(nearest.size()), expected.size());
   for (int i = 0; i < nearest.size(); ++i) {
     EXPECT_TRUE(is_inside(arm, nearest[i].q, limits));
     EXPECT_NEAR((nearest[i].q - seed).norm(), expected[static_cast<std::size_t>(i)], 1e-9);
   }
+}
+
+/// Law: without limits a way leads to the row but for whole turns of joints, each of which goes at most half
+/// a turn; orders are those of these ways.
+template <class Map>
+void expect_short_ways(const Arm& arm, std::mt19937 random) {
+  auto rows = rows_of(random);
+  const Vector seed = random_vector(random, 9);
+  const TurnsOfMotors<Map> turns;
+  const LargestJoint<dof> metric{Vector(1, 3, 0.2)};
+  const auto way_of = [&](const Vector& q) {
+    const Vector whole = arm.matrix * (q - seed);
+    return Vector(arm.inverse * whole.unaryExpr([](double x) { return std::remainder(x, 2 * M_PI); }));
+  };
+  const Solution<dof>* best = qvgen::nearest(rows, seed, turns, metric);
+  for (const auto& row : rows) {
+    EXPECT_LE(metric(way_of(best->q)), metric(way_of(row.q)));
+    EXPECT_LT((inverse::way_of_motors<Map>(seed, rows, row.q) - way_of(row.q)).norm(), 1e-9);
+  }
+  Vector next;
+  ASSERT_TRUE(continued(rows, seed, turns, next));
+  sort_by_distance(rows, seed, turns);
+  EXPECT_LT((next - seed - way_of(rows[0].q)).norm(), 1e-9);
+  for (int i = 1; i < rows.size(); ++i)
+    EXPECT_LE(way_of(rows[i - 1].q).norm(), way_of(rows[i].q).norm() + 1e-12);
 }
 
 /// Limits of which some are without end, reversed or no number, and odd seeds: nothing hangs, no row is
@@ -218,6 +264,7 @@ void expect_all(const Arm& arm, const model::MotorTurns& turns, std::mt19937& ra
     set_map<DrawnMap<bounded>>(arm, turns);
     for (int k = 0; k < 10; ++k) expect_brute_force<DrawnMap<bounded>>(arm, random, seen);
     for (int k = 0; k < 10; ++k) expect_sense<DrawnMap<bounded>>(arm, random);
+    for (int k = 0; k < 3; ++k) expect_short_ways<DrawnMap<bounded>>(arm, random);
   }
 }
 

@@ -335,6 +335,14 @@ def test_in_motors(bevel_arm, rows):
     np.testing.assert_allclose(found.q[:, 0], q, atol=1e-8)
     near = bevel_arm.inverse_kinematics_near(poses, q + 0.01)
     np.testing.assert_allclose(near.q, q, atol=1e-8)
+    # Orders go by ways whose whole turns are those of joints.
+    seeds = q + rows(bevel_arm)
+    best = qvgen.metrics.best(bevel_arm.inverse_kinematics(poses), qvgen.metrics.LargestJoint(), seeds, bevel_arm.turns_of_motors)
+    matrix = np.array(bevel_arm.turns_of_motors.joints_by_motors)
+    for row, seed, all_rows in zip(best, seeds, bevel_arm.inverse_kinematics(poses).q):
+        ways = [np.linalg.solve(matrix, np.remainder(matrix @ (each - seed) + np.pi, 2 * np.pi) - np.pi)
+                for each in (row, *all_rows[np.isfinite(all_rows[:, 0])])]
+        assert np.abs(ways[0]).max() <= np.abs(ways[1:]).max(axis=1).min() + 1e-12
     # Turns of joints move two motors: their representatives stand whole turns of the tilt and the roll apart.
     lower, upper = q[0] - 13, q[0] + 13
     turns = bevel_arm.inverse_kinematics(poses[0], limits=(lower, upper))

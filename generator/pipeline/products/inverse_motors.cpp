@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/evaluate.h"
 #include "model/followers.h"
@@ -36,6 +37,20 @@ std::vector<Row> matrix_of(const model::Robot& robot) {
     for (const model::Share& share : shares) rows.back()[share.driven] = share.ratio;
   }
   return rows;
+}
+
+/// The entries of a square matrix row by row, or 1 of each joint that turns and 0 of one that slides.
+std::string entries_of(const std::vector<Row>& rows) {
+  std::vector<std::string> entries;
+  for (const Row& row : rows)
+    for (const cln::cl_RA& entry : row) entries.push_back(number(entry));
+  return fmt::format("{}", fmt::join(entries, ", "));
+}
+std::string kinds_of(const model::Robot& robot) {
+  std::vector<int> kinds;
+  for (const model::Joint& joint : robot.joints)
+    kinds.push_back(joint.type == model::JointType::revolute ? 1 : 0);
+  return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
 /// Names of constants in a language.
@@ -130,6 +145,11 @@ json relation(const model::Robot& described, const Words& words) {
   return {{"relations", relations_of(described)},
           {"of_joints", joints_of(described, matrix, words)},
           {"of_motors", motors_of(inverse)},
+          {"joints_by_motors", entries_of(matrix)},
+          {"motors_by_joints", entries_of(inverse)},
+          {"joint_kinds", kinds_of(described)},
+          {"joint_count", matrix.size()},
+          {"entry_count", matrix.size() * matrix.size()},
           {"values", values_of(described, matrix, turns, words)},
           {"value_count", values},
           {"turns", turns_of(turns, words)},

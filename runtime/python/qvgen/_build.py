@@ -151,6 +151,19 @@ def _explain_absence(module):
     module.__getattr__ = absent
 
 
+def _turns_of_motors(values):
+    """The relation of joints and motors, taken out of the values of an arm, for orders of rows."""
+    from .metrics import TurnsOfMotors
+    dof = values["dof"]
+
+    def square(name):
+        entries = values.pop(name)
+        return [entries[dof * i:dof * (i + 1)] for i in range(dof)]
+
+    return TurnsOfMotors(square("joints_by_motors"), square("motors_by_joints"),
+                         [bool(each) for each in values.pop("joint_is_revolute")])
+
+
 def _module(name, sources, folder):
     """The module of a robot whose C is in a folder."""
     robot = Robot(name, sources, folder)
@@ -159,6 +172,8 @@ def _module(name, sources, folder):
     module.__file__ = str(robot.path)
     values = {**robot.facts, "dof": header.numbers["dof"], "default_geometry": robot.geometry.values}
     values["is_revolute"] = [bool(each) for each in values["is_revolute"]]
+    if "joints_by_motors" in values:
+        values["turns_of_motors"] = _turns_of_motors(values)
     if "mass_matrix" in bound:
         values["default_inertia"] = robot.inertia.values
     if "singularity_measures" in bound:

@@ -18,7 +18,24 @@ import typing
 
 import numpy as np
 
-__all__ = ["FastestTime", "LargestJoint", "WeightedDistance", "best", "sort_by"]
+__all__ = ["FastestTime", "LargestJoint", "TurnsOfMotors", "WeightedDistance", "best", "sort_by"]
+
+
+class TurnsOfMotors(typing.NamedTuple):
+    """Whole turns of arms with motors: those of joints, each of which moves several motors. `arm.turns_of_motors`."""
+    joints_by_motors: typing.Any  #: (dof, dof)
+    motors_by_joints: typing.Any  #: (dof, dof)
+    is_revolute: typing.Any  #: (dof,), whether a joint turns
+
+    def short_way(self, way):
+        """The ways of motors (..., dof) with whole turns of joints taken off."""
+        joints = _short_way(way @ np.asarray(self.joints_by_motors).T, self.is_revolute)
+        return joints @ np.asarray(self.motors_by_joints).T
+
+
+def _short_way(way, is_revolute):
+    """The ways of joints with whole turns of those that turn taken off."""
+    return np.where(np.asarray(is_revolute), way - 2 * np.pi * np.rint(way / (2 * np.pi)), way)
 
 
 @dataclasses.dataclass
@@ -60,8 +77,8 @@ def _shares(found, metric, seed, is_revolute):
     """The number that a metric gives each row; NaN behind the last row of a pose."""
     rows = found.q if seed is None else found.q - np.asarray(seed)[..., None, :]
     if seed is not None and is_revolute is not None:
-        short = rows - 2 * np.pi * np.rint(rows / (2 * np.pi))
-        rows = np.where(np.asarray(is_revolute), short, rows)
+        has_motors = isinstance(is_revolute, TurnsOfMotors)
+        rows = is_revolute.short_way(rows) if has_motors else _short_way(rows, is_revolute)
     there = np.arange(found.q.shape[-2]) < np.asarray(found.count)[..., None]
     shares = np.full(there.shape, np.nan)
     if there.any():
@@ -75,7 +92,8 @@ def sort_by(found, metric, seed=None, is_revolute=None):
 
     found: qvgen.Solutions of one pose or a batch
     seed: (dof,) or (n, dof)
-    is_revolute: that of the robot: angles go the short way round; None: rows within limits, whose ways are as they stand
+    is_revolute: that of the robot: angles go the short way round; of an arm with motors its turns_of_motors; None: rows within
+        limits, whose ways are as they stand
     Returns qvgen.Solutions.
     """
     shares = _shares(found, metric, seed, is_revolute)

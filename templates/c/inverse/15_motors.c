@@ -155,60 +155,43 @@ static double part_of_square(const WithinMotors* within, int level, const Values
   return sum;
 }
 
-/// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above and below.
-static void start_turns(Turns* turns, const Values* from, int level, const TurnRange* range) {
-  memcpy(turns->values, from->of, sizeof turns->values);
-  turns->nearest = nearest_whole((range->middle - from->of[level_begin(level)]) * range->per_step);
-  turns->away[0] = 0;
-  turns->away[1] = 1;
-  turns->is_over[0] = turns->is_over[1] = turns->side = turns->has_one = 0;
-}
+/// Numbers of turns with which all values of a level are inside, and the one, no whole number, at which they are nearest to
+/// the centre: they move along a line, on which limits leave a piece and the distance has one least value.
+typedef struct TurnPiece {
+  double least, most, nearest;
+} TurnPiece;
 
-/// Goes to the next number; false if there is none.
-static bool next_turn(Turns* turns, int level, const TurnRange* range, double* number) {
-  while (!(turns->is_over[0] != 0 && turns->is_over[1] != 0)) {
-    const bool goes_down = turns->is_over[0] != 0 || (turns->is_over[1] == 0 && turns->away[1] < turns->away[0]);
-    const int side = goes_down ? 1 : 0;
-    const double next = turns->nearest + (goes_down ? -turns->away[1] : turns->away[0]);
-    const bool is_over = !is_between(range->lower, turns->values[level_begin(level)] + next * range->step, range->upper) ||
-                         turns->away[side] > range->farthest;
-    turns->side = side;
-    turns->is_over[side] = is_over ? 1 : 0;
-    *number = next;
-    if (is_over) continue;
-    turns->away[side] += 1;
-    return true;
-  }
-  return false;
-}
-
-static Values turned_values(const Turns* turns, int level, double number) {
-  Values values;
-  memcpy(values.of, turns->values, sizeof values.of);
-  turn_values(level, number, &values);
-  return values;
-}
-
-/// Settles the last level of a block. All its values move along a line, on which limits leave a piece and the distance has one
-/// least value: no number is tried. Returns false if nothing is inside.
-static bool settle_last(const WithinMotors* within, int level, Values* values) {
-  double least = -tolerance_farthest_joint, most = tolerance_farthest_joint, wanted = 0;
+static TurnPiece turn_piece(const WithinMotors* within, int level, const Values* values) {
+  TurnPiece piece = {-tolerance_farthest_joint, tolerance_farthest_joint, 0};
+  double wanted = 0;
   for (int i = level_begin(level); i < level_begin(level + 1); ++i) {
     const double motion = motion_of(level, i), per_motion = within->per_motion.of[i];
     const double down = (within->lower.of[i] - limit_tolerance - values->of[i]) * per_motion;
     const double up = (within->upper.of[i] + limit_tolerance - values->of[i]) * per_motion;
     if (per_motion != 0) {
-      least = larger(least, per_motion > 0 ? down : up);
-      most = smaller(most, per_motion > 0 ? up : down);
+      piece.least = larger(piece.least, per_motion > 0 ? down : up);
+      piece.most = smaller(piece.most, per_motion > 0 ? up : down);
     } else if (!is_between(within->lower.of[i], values->of[i], within->upper.of[i])) {
-      return false;
+      piece.least = HUGE_VAL;
+      return piece;
     }
     if (motor_of[i] >= 0) wanted += motion * (within->centre.of[i] - values->of[i]);
   }
-  least = whole_above(least);
-  most = -whole_above(-most);
-  if (!(least <= most)) return false;
-  turn_values(level, smaller(larger(nearest_whole(wanted * within->per_square[level]), least), most), values);
+  piece.least = whole_above(piece.least);
+  piece.most = -whole_above(-piece.most);
+  piece.nearest = wanted * within->per_square[level];
+  return piece;
+}
+
+static inline double nearest_inside(const TurnPiece* piece) {
+  return smaller(larger(nearest_whole(piece->nearest), piece->least), piece->most);
+}
+
+/// Settles the last level of a block: no number is tried. Returns false if nothing is inside.
+static bool settle_last(const WithinMotors* within, int level, Values* values) {
+  const TurnPiece piece = turn_piece(within, level, values);
+  if (!(piece.least <= piece.most)) return false;
+  turn_values(level, nearest_inside(&piece), values);
   return true;
 }
 
@@ -218,39 +201,72 @@ static int last_of_block(int level) {
   return level;
 }
 
+/// Numbers of a level that are tried, outwards from the nearest.
+typedef struct Outwards {
+  Values from;
+  double square, least, most, nearest, up, down;
+} Outwards;
+
+/// `square`: that of the distance of the levels before. No number is left if none is inside.
+static void start_outwards(const WithinMotors* within, int level, const Values* from, double square, Outwards* tried) {
+  const TurnPiece piece = turn_piece(within, level, from);
+  const double farthest = piece.most - piece.least < most_turns ? most_turns : tried_turns;
+  tried->from = *from;
+  tried->square = square;
+  tried->nearest = piece.nearest;
+  tried->least = tried->down = 0;
+  tried->most = -1;
+  tried->up = 0;
+  if (!(piece.least <= piece.most)) {
+    tried->down = -1;
+    return;
+  }
+  tried->up = nearest_inside(&piece);
+  tried->down = tried->up - 1;
+  tried->most = smaller(piece.most, tried->up + farthest);
+  tried->least = larger(piece.least, tried->up - farthest);
+}
+
+static inline bool has_number(const Outwards* tried) { return tried->up <= tried->most || tried->down >= tried->least; }
+
+/// Turns by the next number, and sets the square of the distance with this level. What lies beyond a number with which that
+/// is no less than `best` is farther still.
+static Values next_outwards(const WithinMotors* within, int level, double best, Outwards* tried, double* reached) {
+  const bool goes_up = tried->down < tried->least ||
+                       (tried->up <= tried->most && tried->up - tried->nearest <= tried->nearest - tried->down);
+  Values at = tried->from;
+  turn_values(level, goes_up ? tried->up : tried->down, &at);
+  *reached = tried->square + part_of_square(within, level, &at);
+  const bool goes_on = *reached < best;
+  if (goes_up) tried->up = goes_on ? tried->up + 1 : tried->most + 1;
+  if (!goes_up) tried->down = goes_on ? tried->down - 1 : tried->least - 1;
+  return at;
+}
+
 /// Searches a block from a level on for its values nearest to the centre. The most numbers that are tried are 4096; `is_cut`
 /// is set if these have led to nothing.
 static bool search_block(const WithinMotors* within, int first, Values* values, bool* is_cut) {
   const int last = last_of_block(first), most_tries = 4096;
-  Turns turns[bounded];
-  double squares[bounded];
-  double best = HUGE_VAL, number = 0;
+  Outwards tried[bounded];
+  double best = HUGE_VAL;
   int tries = 0, level = first;
-  start_turns(&turns[first], values, first, &within->ranges[first]);
-  squares[first] = 0;
+  start_outwards(within, first, values, 0, &tried[first]);
   while (level >= first) {
-    if (tries >= most_tries || !next_turn(&turns[level], level, &within->ranges[level], &number)) {
+    if (tries >= most_tries || !has_number(&tried[level])) {
       --level;
       continue;
     }
     ++tries;
-    Values at = turned_values(&turns[level], level, number);
-    const int pivot = level_begin(level);
-    const double off = motor_of[pivot] >= 0 ? at.of[pivot] - within->centre.of[pivot] : 0;
-    if (squares[level] + off * off >= best) {
-      turns[level].is_over[turns[level].side] = 1;
-      continue;
-    }
-    if (!is_inside(within, level, &at)) continue;
-    const double square = squares[level] + part_of_square(within, level, &at);
+    double reached = 0;
+    Values at = next_outwards(within, level, best, &tried[level], &reached);
+    if (!(reached < best)) continue;
     if (level + 1 < last) {
       ++level;
-      start_turns(&turns[level], &at, level, &within->ranges[level]);
-      squares[level] = square;
+      start_outwards(within, level, &at, reached, &tried[level]);
       continue;
     }
     if (!settle_last(within, last, &at)) continue;
-    const double whole = square + part_of_square(within, last, &at);
+    const double whole = reached + part_of_square(within, last, &at);
     if (!(whole < best)) continue;
     best = whole;
     *values = at;

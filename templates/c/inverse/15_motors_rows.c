@@ -45,6 +45,39 @@ static int keep_near_within_motors(const double* lower, const double* upper, Sol
   return 0;
 }
 
+/// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above and below.
+static void start_turns(Turns* turns, const Values* from, int level, const TurnRange* range) {
+  memcpy(turns->values, from->of, sizeof turns->values);
+  turns->nearest = nearest_whole((range->middle - from->of[level_begin(level)]) * range->per_step);
+  turns->away[0] = 0;
+  turns->away[1] = 1;
+  turns->is_over[0] = turns->is_over[1] = turns->has_one = 0;
+}
+
+/// Goes to the next number; false if there is none.
+static bool next_turn(Turns* turns, int level, const TurnRange* range, double* number) {
+  while (!(turns->is_over[0] != 0 && turns->is_over[1] != 0)) {
+    const bool goes_down = turns->is_over[0] != 0 || (turns->is_over[1] == 0 && turns->away[1] < turns->away[0]);
+    const int side = goes_down ? 1 : 0;
+    const double next = turns->nearest + (goes_down ? -turns->away[1] : turns->away[0]);
+    const bool is_over = !is_between(range->lower, turns->values[level_begin(level)] + next * range->step, range->upper) ||
+                         turns->away[side] > range->farthest;
+    turns->is_over[side] = is_over ? 1 : 0;
+    *number = next;
+    if (is_over) continue;
+    turns->away[side] += 1;
+    return true;
+  }
+  return false;
+}
+
+static Values turned_values(const Turns* turns, int level, double number) {
+  Values values;
+  memcpy(values.of, turns->values, sizeof values.of);
+  turn_values(level, number, &values);
+  return values;
+}
+
 static void start_motor_representatives(const Solutions* found, const double* lower, const double* upper,
                                         Representatives* all) {
   all->solutions = found;

@@ -250,7 +250,8 @@ std::string loops(const json& values) {
 }
 
 Part metrics(const model::Robot& robot) {
-  const json values{{"name", robot.name}, {"dof", robot.joints.size()}};
+  const json values{
+      {"name", robot.name}, {"dof", robot.joints.size()}, {"has_motors", model::has_followers(robot)}};
   return {render("c/metrics.h", values), render("c/metrics.c", values)};
 }
 

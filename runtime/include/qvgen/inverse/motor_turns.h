@@ -46,13 +46,15 @@ class WithinMotors {
   /// The most numbers that a search in one block for the nearest representative of a row looks at.
   static constexpr int most_tries = 4096;
 
-  WithinMotors(const JointLimits<dof>& limits, const Joints<dof>& centre)
-      : centre_(Map::values(centre.unaryExpr(&sensible))) {
+  WithinMotors(const JointLimits<dof>& limits, const Joints<dof>& centre) {
     for (int i = 0; i < bounded; ++i) set_limits(i, limits);
-    for_levels([&](auto level) {
-      const int pivot = begin_of(level);
-      ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
-    });
+    look_from(centre);
+  }
+  /// Returns these limits next to another centre.
+  [[nodiscard]] WithinMotors next_to(const Joints<dof>& centre) const {
+    WithinMotors other = *this;
+    other.look_from(centre);
+    return other;
   }
 
   [[nodiscard]] const TurnRange& range(int level) const { return ranges_[level]; }
@@ -90,11 +92,13 @@ class WithinMotors {
   }
 
   /// Puts the representative in place of a row that is inside and nearest to the centre, and sets the square
-  /// of its distance. Returns false if there is none; `is_cut` is then set if the search was given up.
+  /// of its distance. Returns false if there is none; `is_cut` is then set if the search was given up. Values
+  /// that move alone are looked at first: most rows that are outside end there.
   bool take_nearest(Joints<dof>& motors, double& square, bool& is_cut) const {
     Values values = Map::values(motors);
-    if (!is_inside(Constant<-1>(), values) || !settle_from(Constant<0>(), values, false, is_cut))
-      return false;
+    bool is_in = is_inside(Constant<-1>(), values);
+    for_levels([&](auto level) { is_in = is_in && (!is_alone(level) || take_only(level, values)); });
+    if (!is_in || !settle_from(Constant<0>(), values, is_cut)) return false;
     square = part(Constant<-1>(), values);
     for_levels([&](auto level) { square += part(level, values); });
     motors = motors_of(values);
@@ -108,6 +112,13 @@ class WithinMotors {
     int tries = 0;
   };
 
+  void look_from(const Joints<dof>& centre) {
+    centre_ = Map::values(centre.unaryExpr(&sensible));
+    for_levels([&](auto level) {
+      const int pivot = begin_of(level);
+      ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
+    });
+  }
   /// A centre beyond which whole turns are lost in rounding is none, nor is what is no number.
   static double sensible(double centre) { return std::abs(centre) < tolerance::lost_centre ? centre : 0.0; }
   static constexpr int motor_at(int place) { return Map::motor_of[static_cast<std::size_t>(place)]; }
@@ -148,25 +159,43 @@ class WithinMotors {
     return sum;
   }
 
-  /// Settles the levels from one on. `is_searched`: a search has settled what this one's block has left.
+  /// Settles the levels from one on, but for those that are alone.
   template <int level>
-  bool settle_from(Constant<level> at, Values& values, bool is_searched, bool& is_cut) const {
+  bool settle_from(Constant<level> at, Values& values, bool& is_cut) const {
     if constexpr (level < bounded) {
       if (level >= Map::turns.count) return true;
-      const bool is_last = Map::turns.ends_block[level];
-      const bool has_one = is_alone(at) || (!is_last && ranges_[level].has_one_place());
-      const bool searches = !is_last && !has_one && !is_searched;
-      if (!is_searched)
-        if (!(has_one ? take_only(at, values) : searches ? search(at, values, is_cut) : settle(at, values)))
-          return false;
-      return settle_from(Constant<level + 1>(), values, !is_last && (is_searched || searches), is_cut);
+      if (is_alone(at)) return settle_from(Constant<level + 1>(), values, is_cut);
+      if (Map::turns.ends_block[level])
+        return settle(at, values) && settle_from(Constant<level + 1>(), values, is_cut);
+      if (ranges_[level].has_one_place())
+        return take_only(at, values) && settle_from(Constant<level + 1>(), values, is_cut);
+      return search(at, values, is_cut) && settle_behind(at, values, is_cut);
     }
     return true;
   }
-  /// Settles the last level of a block. All its values move along a line, on which limits leave a piece and
-  /// the distance has one least value: no number is tried. Returns false if nothing is inside.
+  /// Settles the levels behind the block of one.
+  template <int level>
+  bool settle_behind(Constant<level> /*of*/, Values& values, bool& is_cut) const {
+    if constexpr (level + 1 < bounded) {
+      constexpr Constant<level + 1> next;
+      return Map::turns.ends_block[level] ? settle_from(next, values, is_cut)
+                                          : settle_behind(next, values, is_cut);
+    }
+    return true;
+  }
+
+  /// The numbers of turns with which all values of a level are inside, and the one, no whole number, at which
+  /// they are nearest to the centre.
+  struct Piece {
+    double least, most, nearest;
+    [[nodiscard]] bool empty() const { return !(least <= most); }
+    [[nodiscard]] double nearest_inside() const {
+      return std::min(std::max(nearest_whole(nearest), least), most);
+    }
+  };
+  /// Values of a level move along a line, on which limits leave a piece and the distance has one least value.
   template <class Level>
-  bool settle(Level level, Values& values) const {
+  Piece piece_of(Level level, const Values& values) const {
     double least = -TurnRange::far, most = TurnRange::far, wanted = 0, square = 0;
     for (int i = begin_of(level); i < begin_of(level + 1); ++i) {
       const double motion = Map::turns.motion[level][i];
@@ -176,17 +205,20 @@ class WithinMotors {
         least = std::max(least, motion > 0 ? down : up);
         most = std::min(most, motion > 0 ? up : down);
       } else if (!holds(i, values[i])) {
-        return false;
+        return {1, -1, 0};
       }
       if (!is_motor(i)) continue;
       wanted += motion * (centre_[i] - values[i]);
       square += motion * motion;
     }
-    least = whole_above(least);
-    most = -whole_above(-most);
-    if (!(least <= most)) return false;
-    const double number = square != 0 ? nearest_whole(wanted * (1 / square)) : 0;
-    turn(level, std::min(std::max(number, least), most), values);
+    return {whole_above(least), -whole_above(-most), square != 0 ? wanted * (1 / square) : 0};
+  }
+  /// Settles the last level of a block: no number is tried. Returns false if nothing is inside.
+  template <class Level>
+  bool settle(Level level, Values& values) const {
+    const Piece piece = piece_of(level, values);
+    if (piece.empty()) return false;
+    turn(level, piece.nearest_inside(), values);
     return true;
   }
   static double whole_above(double value) {
@@ -219,20 +251,28 @@ class WithinMotors {
       if (!Map::turns.ends_block[at]) return try_numbers(level, from, square, search);
     if (settle(level, from)) keep(from, square + part(level, from), search);
   }
-  /// Tries the numbers of a level that may be inside and nearer than what was found.
+  /// Tries the numbers of a level that are inside, outwards from the nearest: what lies beyond one at which
+  /// this level alone is as far as the best that was found is farther still.
   template <int at>
   void try_numbers(Constant<at> level, const Values& from, double square, Search& search) const {
-    const int pivot = Map::turns.pivot[level];
-    TurnNumbers numbers(from[pivot], ranges_[level]);
-    double number = 0;
-    while (search.tries < most_tries && numbers.next(ranges_[level], number)) {
+    const Piece piece = piece_of(level, from);
+    if (piece.empty()) return;
+    const double start = piece.nearest_inside();
+    const bool is_open = !(piece.most - piece.least < TurnRange::most_values);
+    const double farthest = is_open ? TurnRange::tried : TurnRange::most_values;
+    const double most = std::min(piece.most, start + farthest);
+    const double least = std::max(piece.least, start - farthest);
+    double up = start, down = start - 1;
+    while (search.tries < most_tries && (up <= most || down >= least)) {
       ++search.tries;
-      const Values values = turned(level, number, from);
-      const double off = is_motor(pivot) ? values[pivot] - centre_[pivot] : 0;
-      if (square + off * off >= search.square)
-        numbers.end_side();
-      else if (is_inside(level, values))
-        descend(Constant<at + 1>(), values, square + part(level, values), search);
+      const bool goes_up = down < least || (up <= most && up - piece.nearest <= piece.nearest - down);
+      const Values values = turned(level, goes_up ? up : down, from);
+      const double reached = square + part(level, values);
+      if (reached < search.square) descend(Constant<at + 1>(), values, reached, search);
+      if (goes_up)
+        up = reached < search.square ? up + 1 : most + 1;
+      else
+        down = reached < search.square ? down - 1 : least - 1;
     }
   }
   static void keep(const Values& values, double square, Search& search) {

@@ -9,9 +9,11 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/motor_representatives.h>
+#include <qvgen/inverse/motor_ways.h>
 #include <qvgen/inverse/row_iterator.h>
 #include <qvgen/inverse/solutions.h>
 
@@ -51,12 +53,12 @@ class AllWithinMotors {
   [[nodiscard]] int branches() const { return rows_.size(); }
   /// How many rows there are; the largest number that there is if there are more than ten million.
   [[nodiscard]] std::size_t size() const {
-    constexpr std::size_t most = 10'000'000;
     std::size_t count = 0;
     for (Iterator row = begin(); row != end(); ++row)
-      if (++count > most) return std::numeric_limits<std::size_t>::max();
+      if (++count > most_counted) return std::numeric_limits<std::size_t>::max();
     return count;
   }
+  static constexpr std::size_t most_counted = 10'000'000;
   /// The first row of a branch; makes `turns` ready for those behind it.
   Solution<dof> start(int branch, Turns& turns) const {
     Solution<dof> row = rows_[branch];
@@ -68,6 +70,10 @@ class AllWithinMotors {
   void for_each(const Visit& visit) const {
     for (const Solution<dof>& row : *this) visit(row);
   }
+
+  [[nodiscard]] const inverse::WithinMotors<Map>& within() const { return within_; }
+  /// The solution of a branch, any of its representatives.
+  [[nodiscard]] const Solution<dof>& solution(int branch) const { return rows_[branch]; }
 
  private:
   inverse::WithinMotors<Map> within_;
@@ -89,17 +95,16 @@ bool is_regular(const Found& found) {
   return found.status == Status::solved && found.effort.passes == 0;
 }
 
-/// The nearest representative of each branch to a seed, the nearest row first.
-template <class Map, int dof, int capacity>
-LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capacity>& found,
-                                                      const Joints<dof>& seed,
-                                                      const JointLimits<dof>& limits) {
-  const WithinMotors<Map> within(limits, seed);
+/// The nearest representative of each branch to a seed, the nearest row first, from rows of which `motors_of`
+/// makes motors.
+template <class Map, int dof, int capacity, class MotorsOf>
+LimitedSolutions<dof, capacity> nearest_of_rows(const Solutions<dof, capacity>& found,
+                                                const WithinMotors<Map>& within, const MotorsOf& motors_of) {
   LimitedSolutions<dof, capacity> result;
   std::array<double, static_cast<std::size_t>(capacity)> squares;
   bool is_marked = false, is_cut = false;
   for (const Solution<dof>& row : found) {
-    Joints<dof> motors = row.q;
+    Joints<dof> motors = motors_of(row.q);
     double square = 0;
     if (!within.take_nearest(motors, square, is_cut)) continue;
     int place = result.size();
@@ -117,6 +122,23 @@ LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capac
   return result;
 }
 
+/// Returns it from rows in motors.
+template <class Map, int dof, int capacity>
+LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capacity>& found,
+                                                      const Joints<dof>& seed,
+                                                      const JointLimits<dof>& limits) {
+  return nearest_of_rows(found, WithinMotors<Map>(limits, seed),
+                         [](const Joints<dof>& motors) { return motors; });
+}
+
+/// Returns it from rows in joints.
+template <class Map, int dof, int capacity>
+LimitedSolutions<dof, capacity> nearest_of_joints(const Solutions<dof, capacity>& found,
+                                                  const Joints<dof>& seed, const JointLimits<dof>& limits) {
+  return nearest_of_rows(found, WithinMotors<Map>(limits, seed),
+                         [](const Joints<dof>& joints) { return Joints<dof>(Map::motors(joints)); });
+}
+
 /// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
 template <class Map, int dof>
 Solutions<dof, 1> near_within_motors(Solutions<dof, 1> nearest, const JointLimits<dof>& limits) {
@@ -129,4 +151,36 @@ Solutions<dof, 1> near_within_motors(Solutions<dof, 1> nearest, const JointLimit
 }
 
 }  // namespace inverse
+
+/// The nearest representative of each branch to a seed, the nearest row first.
+template <class Map, int capacity>
+LimitedSolutions<Map::dof, capacity> nearest_within_limits(const AllWithinMotors<Map, capacity>& all,
+                                                           const Joints<Map::dof>& seed) {
+  Solutions<Map::dof, capacity> rows;
+  for (int k = 0; k < all.branches(); ++k) rows.append() = all.solution(k);
+  rows.effort = all.effort;
+  rows.status = all.status;
+  return inverse::nearest_of_rows(rows, all.within().next_to(seed),
+                                  [](const Joints<Map::dof>& motors) { return motors; });
+}
+
+/// Returns the row whose way from a seed is the least by a metric (metrics.h), of all representatives: of
+/// coupled motors the nearest one by distance need not be the one that arrives first. None if there is no
+/// row, or none whose metric is finite. Ten million rows are looked at.
+template <class Map, int capacity, class Metric>
+std::optional<Solution<Map::dof>> nearest(const AllWithinMotors<Map, capacity>& all,
+                                          const Joints<Map::dof>& seed, const Metric& metric) {
+  std::optional<Solution<Map::dof>> best;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for (const Solution<Map::dof>& row : all) {
+    if (++count > AllWithinMotors<Map, capacity>::most_counted) break;
+    const double value = metric(Joints<Map::dof>(row.q - seed));
+    if (!(value < least)) continue;
+    least = value;
+    best = row;
+  }
+  return best;
+}
+
 }  // namespace qvgen

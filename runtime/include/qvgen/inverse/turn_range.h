@@ -48,23 +48,20 @@ class TurnNumbers {
   /// Goes to the next number; false if there is none.
   bool next(const TurnRange& range, double& number) {
     while (!(is_over_[0] && is_over_[1])) {
-      side_ = is_over_[0] || (!is_over_[1] && away_[1] < away_[0]) ? 1 : 0;
-      number = nearest_ + (side_ == 0 ? away_[0] : -away_[1]);
-      is_over_[side_] = !range.holds(from_ + number * range.step) || away_[side_] > range.farthest;
-      if (is_over_[side_]) continue;
-      ++away_[side_];
+      const int side = is_over_[0] || (!is_over_[1] && away_[1] < away_[0]) ? 1 : 0;
+      number = nearest_ + (side == 0 ? away_[0] : -away_[1]);
+      is_over_[side] = !range.holds(from_ + number * range.step) || away_[side] > range.farthest;
+      if (is_over_[side]) continue;
+      ++away_[side];
       return true;
     }
     return false;
   }
-  /// Ends the side of the last number: what lies beyond is farther still.
-  void end_side() { is_over_[side_] = true; }
 
  private:
   double from_ = 0, nearest_ = 0;
   double away_[2] = {0, 1};
   bool is_over_[2] = {false, false};
-  int side_ = 0;
 };
 
 }  // namespace qvgen::inverse
