@@ -76,6 +76,8 @@ Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
   return chain;
 }
 
+}  // namespace
+
 Displacement inverse(const Displacement& displacement) {
   Displacement result;
   for (auto turn = displacement.turns.rbegin(); turn != displacement.turns.rend(); ++turn)
@@ -83,8 +85,6 @@ Displacement inverse(const Displacement& displacement) {
   result.translation = rotate(result.turns, subtract({}, displacement.translation));
   return result;
 }
-
-}  // namespace
 
 std::size_t parent_of(const Robot& robot, std::size_t joint) {
   if (const auto& parent = robot.joints.at(joint).parent) return *parent;
