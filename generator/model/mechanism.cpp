@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "model/arithmetic.h"
+#include "model/inverse.h"
 
 namespace qvgen::model {
 namespace {
@@ -77,14 +78,6 @@ Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
 }
 
 }  // namespace
-
-Displacement inverse(const Displacement& displacement) {
-  Displacement result;
-  for (auto turn = displacement.turns.rbegin(); turn != displacement.turns.rend(); ++turn)
-    result.turns.push_back({turn->axis, negate(turn->angle)});
-  result.translation = rotate(result.turns, subtract({}, displacement.translation));
-  return result;
-}
 
 std::size_t parent_of(const Robot& robot, std::size_t joint) {
   if (const auto& parent = robot.joints.at(joint).parent) return *parent;

@@ -24,9 +24,6 @@ std::size_t parent_of(const Robot& robot, std::size_t joint);
 /// Sets the joint that carries a joint; nothing is stored where it is the one before.
 void set_parent(Robot& robot, std::size_t joint, std::size_t parent);
 
-/// Returns the displacement back.
-Displacement inverse(const Displacement& displacement);
-
 /// True if some joint is not carried by the one before it.
 bool branches(const Robot& robot);
 

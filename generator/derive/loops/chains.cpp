@@ -8,6 +8,7 @@
 #include "derive/loops/in_space.h"
 #include "derive/loops/named_angles.h"
 #include "model/arithmetic.h"
+#include "model/inverse.h"
 #include "model/private_names.h"
 
 namespace qvgen::derive::loops {

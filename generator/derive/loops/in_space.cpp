@@ -19,8 +19,6 @@ using symbolic::operator+;
 using symbolic::operator-;
 namespace names = inverse::names;
 
-Vector column(const Matrix3& m, std::size_t k) { return {m[0][k], m[1][k], m[2][k]}; }
-
 /// Rotation about a unit vector by an angle, given by its cosine and sine.
 Matrix3 turn_about(const Vector& axis, const ex& cosine, const ex& sine) {
   const std::array<ex, 3> a{axis.x, axis.y, axis.z};
