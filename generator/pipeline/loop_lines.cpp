@@ -57,8 +57,8 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
     return;
   }
   to.lines.push_back(
-      fmt::format("{} from {}: {} assemblies at most", variant.function, from,
-                  assembly.chains.empty() ? capacity_of(assembly, "", "")
+      fmt::format("{} from {}: {} at most", variant.function, from,
+                  assembly.chains.empty() ? capacity_of(assembly, "", "") + " assemblies"
                                           : capacity_of(assembly, "the solutions of ", "")));
   for (const derive::loops::LoopChain& chain : assembly.chains)
     to.lines.push_back(fmt::format("loop {} in space: {} by the inverse kinematics of {}", chain.cycle + 1,

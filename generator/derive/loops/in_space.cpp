@@ -23,8 +23,9 @@ namespace names = inverse::names;
 Matrix3 turn_about(const Vector& axis, const ex& cosine, const ex& sine) {
   const std::array<ex, 3> a{axis.x, axis.y, axis.z};
   Matrix3 m;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) m[i][j] = a[i] * a[j] * (1 - cosine) + (i == j ? cosine : ex(0));
+  for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
     m[next][i] += a[last] * sine;
     m[i][next] -= a[last] * sine;
