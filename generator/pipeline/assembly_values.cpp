@@ -176,7 +176,8 @@ json chains_of(const AssemblyPlan& assembly) {
     json joints = json::array(), fields = json::array();
     for (std::size_t place = 0; place < each.joints.size(); ++place)
       if (each.joints[place]) joints.push_back({{"place", place}, {"joint", *each.joints[place]}});
-    for (const model::Parameter& parameter : each.chain.geometry) fields.push_back({{"field", parameter.name}});
+    for (const model::Parameter& parameter : each.chain.geometry)
+      fields.push_back({{"field", parameter.name}});
     list.push_back({{"number", i},
                     {"next", i + 1},
                     {"loop", each.cycle + 1},
@@ -248,8 +249,8 @@ json slides_in(const LoopVariant& variant, const AssemblyPlan& assembly, const s
 std::vector<std::string> summary_of(const model::Robot& described, const AssemblyPlan& assembly) {
   std::vector<std::string> lines;
   for (const derive::loops::LoopChain& chain : assembly.chains)
-    lines.push_back(fmt::format("{}: the inverse kinematics of {}",
-                                described_names(described, chain.held()), chain.chain.name));
+    lines.push_back(fmt::format("{}: the inverse kinematics of {}", described_names(described, chain.held()),
+                                chain.chain.name));
   for (const std::string& line : step_lines(described, assembly.plan)) lines.push_back(line);
   return lines;
 }

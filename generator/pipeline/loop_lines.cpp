@@ -56,10 +56,9 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
     to.lines.push_back(line_without_plan(mechanism, variant, assembly.reasons));
     return;
   }
-  to.lines.push_back(
-      fmt::format("{} from {}: {} at most", variant.function, from,
-                  assembly.chains.empty() ? capacity_of(assembly, "", "") + " assemblies"
-                                          : capacity_of(assembly, "the solutions of ", "")));
+  to.lines.push_back(fmt::format("{} from {}: {} at most", variant.function, from,
+                                 assembly.chains.empty() ? capacity_of(assembly, "", "") + " assemblies"
+                                                         : capacity_of(assembly, "the solutions of ", "")));
   for (const derive::loops::LoopChain& chain : assembly.chains)
     to.lines.push_back(fmt::format("loop {} in space: {} by the inverse kinematics of {}", chain.cycle + 1,
                                    names_of(mechanism, chain.held()), chain.chain.name));

@@ -11,6 +11,7 @@
 #include "derive/loops/hoist.h"
 #include "derive/loops/in_space.h"
 #include "derive/loops/named_angles.h"
+#include "derive/loops/size.h"
 #include "derive/loops/solver.h"
 #include "model/private_names.h"
 #include "symbolic/model.h"
@@ -21,7 +22,6 @@ namespace {
 using GiNaC::ex;
 using inverse::Plan;
 using symbolic::dot;
-using symbolic::Vector;
 namespace names = inverse::names;
 
 std::vector<std::size_t> others(std::size_t count, const std::vector<std::size_t>& joints) {
@@ -44,27 +44,6 @@ void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::siz
   } else {
     plan.target.output(variable, scope.length(variable));
   }
-}
-
-ex square_of(const model::Displacement& displacement) {
-  const Vector v = symbolic::to_symbolic(displacement.translation);
-  return dot(v, v);
-}
-
-/// The square of a length of the mechanism's size.
-ex size_square(const AssemblyPlan& assembly) {
-  ex sum = 0;
-  for (const model::Joint& joint : assembly.robot.joints)
-    sum += square_of(joint.before) + square_of(joint.after);
-  for (const Cycle& cycle : assembly.cycles) {
-    if (!cycle.length_joint) sum += cycle.length * cycle.length;
-    for (const Side& side : cycle.sides) sum += dot(side.point, side.point);
-  }
-  for (const std::size_t joint : assembly.given) {
-    const model::Joint& given = assembly.robot.joints[joint];
-    if (given.type == model::JointType::prismatic) sum += GiNaC::pow(symbolic::symbol(given.variable), 2);
-  }
-  return sum;
 }
 
 std::string number_list(const std::vector<std::size_t>& cycles) {
@@ -90,9 +69,13 @@ std::string with_described_names(std::string text, const model::Robot& robot,
 /// Solves closures as long as one of them serves.
 class Search {
  public:
-  Search(const model::Mechanism& mechanism, AssemblyPlan& assembly,
-         const std::vector<std::string>& described, inverse::Scope& scope, inverse::Builder& builder)
-      : mechanism_(mechanism), assembly_(assembly), described_(described), solver_(assembly.robot, scope, builder), scope_(scope) {
+  Search(const model::Mechanism& mechanism, AssemblyPlan& assembly, const std::vector<std::string>& described,
+         inverse::Scope& scope, inverse::Builder& builder)
+      : mechanism_(mechanism),
+        assembly_(assembly),
+        described_(described),
+        solver_(assembly.robot, scope, builder),
+        scope_(scope) {
     for (const std::size_t joint : assembly.known()) solver_.know(joint);
   }
 

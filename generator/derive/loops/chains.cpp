@@ -2,14 +2,17 @@
 #include "derive/loops/chains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "derive/loops/gears.h"
 #include "derive/loops/in_space.h"
 #include "derive/loops/named_angles.h"
 #include "model/arithmetic.h"
+#include "model/evaluate.h"
 #include "model/inverse.h"
 #include "model/private_names.h"
+#include "model/replace.h"
 
 namespace qvgen::derive::loops {
 namespace {
@@ -57,8 +60,7 @@ std::vector<Link> ring_of(const model::Mechanism& mechanism, const Cycle& cycle)
   for (const std::size_t joint : cycle.sides[0].joints)
     ring.push_back({joint, bare(mechanism.robot.joints[joint])});
   const Displacement to_point{{}, loop.points[0]};
-  const Displacement from_point{
-      loop.turns, model::rotate(loop.turns, model::subtract({}, loop.points[1]))};
+  const Displacement from_point{loop.turns, model::rotate(loop.turns, model::subtract({}, loop.points[1]))};
   Displacement closure = model::compose(to_point, from_point);
   if (cycle.type == model::LoopType::slide) {
     Joint slide;
@@ -124,6 +126,28 @@ Parted parted(std::vector<Link> ring, const Joints& known) {
   return result;
 }
 
+/// The longest of a robot's offsets, m, rounded to a power of two.
+cln::cl_RA length_of(const model::Robot& robot) {
+  const model::Bindings values = model::sample_geometry(robot);
+  double longest = 1e-3;
+  for (const Joint& joint : robot.joints)
+    for (const Displacement* frame : {&joint.before, &joint.after})
+      for (const model::Expression& each : frame->translation)
+        longest = std::max(longest, std::abs(model::to_double(model::evaluate(each, values))));
+  const int power = std::ilogb(longest);
+  return power < 0 ? cln::recip(cln::expt(cln::cl_RA(2), -power)) : cln::expt(cln::cl_RA(2), power);
+}
+
+/// Takes other frames for the ends of both chains. A chain of few joints takes a part of a pose: the point,
+/// say. That tells nothing of a turn about an axis through the point, and a loop of few joints that moves
+/// does turn about the axes of its rest: so the point has to be beside them.
+void go_aside(const model::Robot& whole, LoopChain& loop) {
+  const cln::cl_RA length = length_of(whole);
+  const auto part = [&](long of, long in) { return model::Expression(length * of / in); };
+  const Displacement aside{{}, {part(3, 7), part(5, 11), part(-4, 13)}};
+  for (model::Robot* robot : {&loop.chain, &loop.rest}) robot->tool = model::compose(robot->tool, aside);
+}
+
 LoopChain chain_of(const model::Robot& whole, const Cycle& cycle, const Parted& ring) {
   const auto middle = ring.links.begin() + static_cast<std::ptrdiff_t>(ring.unknown);
   const std::vector<Link> held(ring.links.begin(), middle);
@@ -138,6 +162,7 @@ LoopChain chain_of(const model::Robot& whole, const Cycle& cycle, const Parted& 
   result.rest = robot_of(whole, "rest_of_" + loop, "the rest of " + title, rest);
   for (const Link& link : held) result.joints.push_back(link.joint);
   for (const Link& link : rest) result.rest_joints.push_back(*link.joint);
+  if (result.joints.size() < most_joints) go_aside(whole, result);
   return result;
 }
 
@@ -157,15 +182,17 @@ ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle, co
   const std::size_t most = most_joints - (slides ? 1 : 0);
   const std::string kind = slides ? "slide" : "weld";
   if (open.size() > most)
-    return {{}, "its " + kind + " holds " + std::to_string(most) + " joints in space, and " +
-                    names_of(mechanism, open) + " are open; drive all but " + std::to_string(most) +
-                    " of them, or close the loops that hold them before it"};
+    return {{},
+            "its " + kind + " holds " + std::to_string(most) + " joints in space, and " +
+                names_of(mechanism, open) + " are open; drive all but " + std::to_string(most) +
+                " of them, or close the loops that hold them before it"};
   if (open.size() == cycle.joints().size())
     return {{}, "none of its joints has a value: it holds itself; drive one of " + names_of(mechanism, open)};
   const Parted ring = parted(ring_of(mechanism, cycle), known);
   if (!ring.is_parted)
-    return {{}, "joints with values are between those that its " + kind + " holds, " +
-                    names_of(mechanism, open) + "; drive joints that follow each other around the loop"};
+    return {{},
+            "joints with values are between those that its " + kind + " holds, " + names_of(mechanism, open) +
+                "; drive joints that follow each other around the loop"};
   return {chain_of(mechanism.robot, cycle, ring), ""};
 }
 

@@ -48,7 +48,8 @@ class Equations {
   [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }
 
  private:
-  /// Gaps of a weld or a slide in a plane: the way between the links, not that along the slide, and how they are turned.
+  /// Gaps of a weld or a slide in a plane: the way between the links, not that along the slide, and how they
+  /// are turned.
   static std::vector<ex> gaps_of_rigid(const Carrier& carrier, const Cycle& cycle, const Vector& way) {
     std::vector<std::array<Vector, 2>> seen;
     for (const auto& [first, second] : cycle.directions)
@@ -151,8 +152,7 @@ void add(const model::Robot& robot, const Cycle& cycle, const Held& held, Constr
 void add_redundant(const model::Robot& robot, const Cycle& cycle, Constraints& to) {
   const std::vector<ex> gaps =
       is_rigid_in_space(cycle) ? gaps_in_space(robot, cycle, to.gap) : Equations(robot).gaps(cycle);
-  for (const ex& gap : gaps)
-    to.gap.output("gap_" + std::to_string(to.rows + to.redundant_rows++), gap);
+  for (const ex& gap : gaps) to.gap.output("gap_" + std::to_string(to.rows + to.redundant_rows++), gap);
 }
 
 }  // namespace

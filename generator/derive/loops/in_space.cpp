@@ -82,8 +82,8 @@ class Walk {
   }
 
   void turn(const std::string& variable, const Vector& own, const Vector& axis, const ex& rate) {
-    at_.turn = program_.let(
-        at_.turn * turn_about(own, symbol(names::cosine(variable)), symbol(names::sine(variable))));
+    at_.turn = program_.let(at_.turn *
+                            turn_about(own, symbol(names::cosine(variable)), symbol(names::sine(variable))));
     if (!moves_) return;
     const Vector by = program_.let(rate * axis);
     at_.spin_rate = program_.let(at_.spin_rate + cross(at_.spin, by));
@@ -119,8 +119,7 @@ class Walk {
     if (!moves_) return;
     const Vector velocity = program_.let(cross(at_.spin, by));
     at_.velocity = program_.let(at_.velocity + velocity);
-    at_.acceleration =
-        program_.let(at_.acceleration + cross(at_.spin_rate, by) + cross(at_.spin, velocity));
+    at_.acceleration = program_.let(at_.acceleration + cross(at_.spin_rate, by) + cross(at_.spin, velocity));
   }
 
   const model::Robot& robot_;
@@ -204,8 +203,8 @@ class Closed {
         put(value);
       }
       if (!place.turns) continue;
-      const Vector spin =
-          program_.let(Vector{dot(first_[0], place.axis), dot(first_[1], place.axis), dot(first_[2], place.axis)});
+      const Vector spin = program_.let(
+          Vector{dot(first_[0], place.axis), dot(first_[1], place.axis), dot(first_[2], place.axis)});
       const ex along = program_.let(dot(half, spin));
       const Vector rate = spin + along * half + cross(half, spin);
       for (const ex& each : {rate.x, rate.y, rate.z}) put(each);

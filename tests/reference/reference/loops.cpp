@@ -39,7 +39,8 @@ Vector3d vector_of(const toml::node& node, const Values& values) {
   if (const auto name = node.value_exact<std::string>())
     return (name->front() == '-' ? -1.0 : 1.0) * Vector3d::Unit(name->back() - 'x');
   Vector3d v;
-  for (std::size_t k = 0; k < 3; ++k) v[static_cast<Eigen::Index>(k)] = value_of(*node.as_array()->get(k), values);
+  for (std::size_t k = 0; k < 3; ++k)
+    v[static_cast<Eigen::Index>(k)] = value_of(*node.as_array()->get(k), values);
   return v;
 }
 
@@ -56,8 +57,9 @@ void read_rigid(const toml::table& table, const Values& values, Closure& closure
   if (const toml::array* turns = table["turns"].as_array())
     for (const toml::node& each : *turns) {
       const toml::table& turn = *each.as_table();
-      closure.turn *= Eigen::AngleAxisd(value_of(*turn.get("angle"), values), vector_of(*turn.get("axis"), values))
-                          .toRotationMatrix();
+      closure.turn *=
+          Eigen::AngleAxisd(value_of(*turn.get("angle"), values), vector_of(*turn.get("axis"), values))
+              .toRotationMatrix();
     }
   if (type == "slide") closure.line = vector_of(*table.get("axis"), values);
 }
@@ -118,7 +120,8 @@ Ends ends_of(const LoopMechanism& mechanism, const Closure& closure, const std::
   return ends;
 }
 
-/// How the first link of a weld or a slide is turned against where the second one has it, in the world's frame.
+/// How the first link of a weld or a slide is turned against where the second one has it, in the world's
+/// frame.
 Vector3d turn_between(const LoopMechanism& mechanism, const Closure& closure,
                       const std::vector<Isometry3d>& frames) {
   std::array<Eigen::Matrix3d, 2> at;
@@ -133,7 +136,8 @@ Vector3d turn_between(const LoopMechanism& mechanism, const Closure& closure,
 Eigen::Matrix<double, 2, 3> across_line(const LoopMechanism& mechanism, const Closure& closure,
                                         const std::vector<Isometry3d>& frames) {
   const Eigen::Matrix3d link =
-      (closure.links[0] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[0])]).linear();
+      (closure.links[0] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[0])])
+          .linear();
   const Vector3d first = closure.line->unitOrthogonal();
   Eigen::Matrix<double, 2, 3> rows;
   rows.row(0) = (link * first).transpose();

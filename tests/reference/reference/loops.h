@@ -43,13 +43,14 @@ struct LoopMechanism {
 
 LoopMechanism load_loops(const std::filesystem::path& file, const Values& values = {});
 
-/// Three gaps for points that are one, m (two across the line of a slide), and a rotation vector for links that
-/// are, in the world's frame; for a rod how much longer it is than it should be; at the end one
-/// for each joint that follows others.
+/// Three gaps for points that are one, m (two across the line of a slide), and a rotation vector for links
+/// that are, in the world's frame; for a rod how much longer it is than it should be; at the end one for each
+/// joint that follows others.
 VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Puts joints that follow others where those are.
 VectorXd followed(const LoopMechanism& mechanism, VectorXd q);
-/// Derivatives of the gaps by all joints, by cross products; that of a rotation vector is the angular velocity.
+/// Derivatives of the gaps by all joints, by cross products; that of a rotation vector is the angular
+/// velocity.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
 /// A pose, in the world's frame, that a frame has to be in.
