@@ -255,7 +255,7 @@ std::vector<std::string> summary_of(const model::Robot& described, const Assembl
   return lines;
 }
 
-/// What is proven of the steps; loops that are chains are certified as inverse kinematics.
+/// Says what is proven of the steps. Loops that are chains are certified as inverse kinematics.
 std::string certificate_of(const model::Mechanism& mechanism, const AssemblyPlan& assembly,
                            const derive::inverse::LoweredPlan& plan) {
   if (!assembly.chains.empty() && assembly.plan.steps.empty())

@@ -148,7 +148,7 @@ void add(const model::Robot& robot, const Cycle& cycle, const Held& held, Constr
   }
 }
 
-/// Appends gaps that are no equations of their own.
+/// Appends the gaps of a closure that is checked and not solved.
 void add_redundant(const model::Robot& robot, const Cycle& cycle, Constraints& to) {
   const std::vector<ex> gaps =
       is_rigid_in_space(cycle) ? gaps_in_space(robot, cycle, to.gap) : Equations(robot).gaps(cycle);
