@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/verdict.h"
+#include "pipeline/assembly.h"
 #include "pipeline/limbs.h"
 #include "pipeline/loop_lines.h"
 #include "pipeline/pipeline.h"
@@ -73,6 +74,8 @@ std::vector<Checked> all_of(const std::vector<description::ReadResult>& results)
     const model::Mechanism mechanism = mechanism_of(result);
     all.push_back({result.name_place, mechanism.robot});
     for (const model::Robot& limb : limbs_of(mechanism)) all.push_back({result.name_place, limb});
+    for (const ChainRobot& chain : chain_robots(mechanism))
+      if (chain.part == "inverse") all.push_back({result.name_place, chain.robot});
   }
   return all;
 }

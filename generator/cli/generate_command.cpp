@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -36,6 +37,10 @@ struct Task {
   std::vector<model::Frame> tips = {};
   model::Loops loops = {};
   std::string limb_of = {};  ///< a robot without loops, whose functions are those of all limbs
+  /// Chains of loops in space are robots of the run, too, behind the limbs: how many, and the one part that
+  /// such a robot has.
+  std::size_t chains = 0;
+  std::string only = {};
 };
 
 /// A limb may be called like another robot.
@@ -63,6 +68,14 @@ std::vector<std::string> files_besides(const std::vector<description::ReadResult
   return files;
 }
 
+/// True if the parts of a run have functions of loops among them.
+bool makes_loops(const std::vector<std::string>& parts) {
+  const auto names = [&](const char* part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  };
+  return parts.empty() || names("assembly") || names("c_assembly");
+}
+
 std::vector<Task> tasks_of(const GenerateArguments& arguments,
                            std::vector<description::ReadResult> descriptions) {
   std::vector<Task> tasks;
@@ -84,22 +97,29 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
           {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips, loops});
     };
     add(mechanism.robot, mechanism.tips, mechanism.loops);
+    const std::size_t place = tasks.size() - 1;
     for (const model::Robot& limb : limbs_of(mechanism)) {
       add(limb, {}, {});
       if (mechanism.loops.empty()) tasks.back().limb_of = mechanism.robot.name;
+    }
+    if (!makes_loops(arguments.parts)) continue;
+    for (const ChainRobot& chain : chain_robots(mechanism)) {
+      add(chain.robot, {}, {});
+      tasks.back().only = chain.part;
+      ++tasks[place].chains;
     }
   }
   check_names(tasks);
   return tasks;
 }
 
-/// A mechanism is made anew with all of its limbs: its functions call those of limbs, and limbs those of
+/// A mechanism is made anew with all of its limbs and chains: its functions call theirs, and limbs those of
 /// others that they are images of.
 void forget_parts_of_mechanisms(const std::vector<Task>& tasks, std::set<std::string>& current) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (tasks[i].tips.empty() && tasks[i].loops.empty()) continue;
     const auto first = tasks.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto end = first + 1 + static_cast<std::ptrdiff_t>(tasks[i].tips.size());
+    const auto end = first + 1 + static_cast<std::ptrdiff_t>(tasks[i].tips.size() + tasks[i].chains);
     if (std::all_of(first, end, [&](const Task& task) { return current.count(task.name) > 0; })) continue;
     std::for_each(first, end, [&](const Task& task) { current.erase(task.name); });
   }
@@ -135,37 +155,46 @@ std::set<std::string> forgotten(const GenerateArguments& arguments, const std::v
   return names;
 }
 
-/// The outputs of a mechanism's limbs, which stand behind its own.
-std::vector<RobotOutput> limb_outputs(const Task& task, std::size_t place,
-                                      const std::vector<RobotOutput>& outputs) {
-  const auto first = outputs.begin() + static_cast<std::ptrdiff_t>(place) + 1;
-  return {first, first + static_cast<std::ptrdiff_t>(task.tips.size())};
+/// The outputs of a mechanism's limbs and chains, which stand behind its own.
+PartsOfLoops parts_of_loops(const Task& task, std::size_t place, const std::vector<RobotOutput>& outputs) {
+  const auto limbs = outputs.begin() + static_cast<std::ptrdiff_t>(place) + 1;
+  const auto chains = limbs + static_cast<std::ptrdiff_t>(task.tips.size());
+  return {{limbs, chains}, {chains, chains + static_cast<std::ptrdiff_t>(task.chains)}};
+}
+
+/// Makes the robots of all tasks, those of chains apart from the others, since they have one part each.
+std::vector<RobotOutput> outputs_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  std::vector<RobotOutput> outputs(tasks.size());
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < tasks.size(); ++i) places[tasks[i].only].push_back(i);
+  ProgressLine line(tasks.size());
+  for (const auto& [only, group] : places) {
+    std::vector<model::Robot> robots;
+    std::vector<std::string> limb_of;
+    for (const std::size_t place : group) {
+      robots.push_back(tasks[place].robot);
+      limb_of.push_back(tasks[place].limb_of);
+    }
+    std::vector<RobotOutput> made = generate(
+        robots, only.empty() ? arguments.parts : Parts{only}, arguments.budget,
+        [&](const std::string& robot) { line.finished(robot); }, arguments.language, limb_of);
+    for (std::size_t i = 0; i < group.size(); ++i) outputs[group[i]] = std::move(made[i]);
+  }
+  return outputs;
 }
 
 FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
-  std::vector<model::Robot> robots;
-  std::vector<std::string> limb_of;
-  for (const Task& task : changed) {
-    robots.push_back(task.robot);
-    limb_of.push_back(task.limb_of);
-  }
-  ProgressLine line(robots.size());
-  std::vector<RobotOutput> outputs = generate(
-      robots, arguments.parts, arguments.budget, [&](const std::string& robot) { line.finished(robot); },
-      arguments.language, limb_of);
+  std::vector<RobotOutput> outputs = outputs_of(arguments, changed);
   const auto& parts = arguments.parts;
-  const auto names = [&](const char* part) {
-    return std::find(parts.begin(), parts.end(), part) != parts.end();
-  };
-  const bool has_assembly = parts.empty() || names("assembly") || names("c_assembly");
+  const bool with_c = std::find(parts.begin(), parts.end(), "c_assembly") != parts.end();
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const bool in_cxx = arguments.language == Language::cxx;
     if (!changed[i].tips.empty() && in_cxx) add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
-    if (!changed[i].loops.empty() && has_assembly)
+    if (!changed[i].loops.empty() && makes_loops(parts))
       add_assembly({changed[i].robot, changed[i].tips, changed[i].loops},
-                   limb_outputs(changed[i], i, outputs), arguments.language, names("c_assembly"), outputs[i]);
+                   parts_of_loops(changed[i], i, outputs), arguments.language, with_c, outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }

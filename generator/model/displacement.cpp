@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "model/arithmetic.h"
+#include "model/inverse.h"
 
 namespace qvgen::model {
 namespace {
@@ -61,6 +62,14 @@ Displacement compose(const Displacement& first, const Displacement& second) {
   if (!is_literal_zero(second.translation)) {
     result.translation = add(first.translation, rotate(first.turns, second.translation));
   }
+  return result;
+}
+
+Displacement inverse(const Displacement& displacement) {
+  Displacement result;
+  for (auto turn = displacement.turns.rbegin(); turn != displacement.turns.rend(); ++turn)
+    result.turns.push_back({turn->axis, negate(turn->angle)});
+  result.translation = rotate(result.turns, subtract({}, displacement.translation));
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "model/arithmetic.h"
+#include "model/inverse.h"
 
 namespace qvgen::model {
 namespace {
@@ -74,14 +75,6 @@ Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
   chain.frames = frames_of_limb(robot, places, to);
   chain.tool = to.placement;
   return chain;
-}
-
-Displacement inverse(const Displacement& displacement) {
-  Displacement result;
-  for (auto turn = displacement.turns.rbegin(); turn != displacement.turns.rend(); ++turn)
-    result.turns.push_back({turn->axis, negate(turn->angle)});
-  result.translation = rotate(result.turns, subtract({}, displacement.translation));
-  return result;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "pipeline/assembly_values.h"
 #include "pipeline/limbs.h"
 #include "pipeline/loop_variants.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/six_rods.h"
 #include "verify/loops/mobility.h"
 
@@ -58,7 +59,7 @@ json tips_of(const model::Mechanism& mechanism, const std::vector<LimbInverse>& 
 struct Surroundings {
   bool has_dynamics, has_limbs, with_c;
   Language language;
-  const std::vector<RobotOutput>& limbs;
+  const PartsOfLoops& parts;
 };
 
 /// True if a header in C of a robot declares a function.
@@ -74,19 +75,28 @@ bool declares(const RobotOutput& output, const std::string& robot, const std::st
 std::vector<LimbInverse> inverses_of(const model::Mechanism& mechanism, const Surroundings& has,
                                      const std::vector<PlannedVariant>& plans, RobotOutput& output) {
   std::vector<LimbInverse> list;
-  for (std::size_t i = 0; i < has.limbs.size(); ++i) {
+  for (std::size_t i = 0; i < has.parts.limbs.size(); ++i) {
     const std::string& tip = mechanism.tips[i].name;
     const std::string function = "inverse_kinematics_of_" + tip;
-    list.push_back(limb_inverse(mechanism, i, has.limbs[i], plans));
+    list.push_back(limb_inverse(mechanism, i, has.parts.limbs[i], plans));
     if (!list.back().lack.empty())
       output.missing.push_back({function, Missing::Kind::not_derived, list.back().lack});
     const std::string limb = mechanism.robot.name + "_" + tip;
     if (list.back().function.empty() || has.language == Language::cxx ||
-        declares(has.limbs[i], limb, "_inverse", "inverse_kinematics"))
+        declares(has.parts.limbs[i], limb, "_inverse", "inverse_kinematics"))
       continue;
     list.back() = {};
     output.missing.push_back({function, Missing::Kind::not_in_language, "the limb's is written in C++"});
   }
+  return list;
+}
+
+/// Robots whose headers the loops' chains need.
+json headers_of_chains(const std::vector<PlannedVariant>& plans) {
+  json list = json::array();
+  for (const PlannedVariant& each : plans)
+    for (const derive::loops::LoopChain& chain : each.assembly.chains)
+      if (each.assembly.found) list.push_back({{"chain", chain.chain.name}, {"rest", chain.rest.name}});
   return list;
 }
 
@@ -109,6 +119,33 @@ std::vector<PlannedVariant> plans_of(const model::Mechanism& mechanism, bool has
   for (const LoopVariant& variant : limb_variants(mechanism))
     plans.push_back({variant, derive::loops::assembly_plan(mechanism, variant.given)});
   return plans;
+}
+
+/// Says why the chain of a loop is not solved; empty if it is.
+std::string lack_of_chain(const derive::loops::LoopChain& chain, const Surroundings& has) {
+  const std::string& name = chain.chain.name;
+  const auto& chains = has.parts.chains;
+  const auto output = std::find_if(chains.begin(), chains.end(), [&](const RobotOutput& each) {
+    return each.robot == folder_name(name, has.language);
+  });
+  if (output == chains.end()) return fmt::format("{} is not made", name);
+  if (has.language != Language::cxx && !declares(*output, name, "_inverse", "inverse_kinematics"))
+    return fmt::format("the inverse kinematics of {} is written in C++", name);
+  if (solves_poses(*output)) return "";
+  const auto missing = std::find_if(output->missing.begin(), output->missing.end(),
+                                    [](const Missing& each) { return each.part == "inverse"; });
+  return fmt::format("loop {} is the inverse kinematics of {}, and that is not derived: {}", chain.cycle + 1,
+                     name, missing == output->missing.end() ? "it takes no pose" : missing->reason);
+}
+
+/// Plans some of whose chains are not solved are none.
+void drop_unsolved(const Surroundings& has, std::vector<PlannedVariant>& plans) {
+  for (PlannedVariant& each : plans)
+    for (const derive::loops::LoopChain& chain : each.assembly.chains)
+      if (const std::string lack = lack_of_chain(chain, has); each.assembly.found && !lack.empty()) {
+        each.assembly.found = false;
+        each.assembly.reasons = {lack};
+      }
 }
 
 /// The first plan that there is. Its equations, as many as there are passive joints, serve rates and
@@ -165,7 +202,7 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
 
 /// Values of all templates. Adds what is missing to the output.
 json values_of(const model::Mechanism& mechanism, const Surroundings& has,
-               const std::vector<PlannedVariant>& plans, RobotOutput& output) {
+               const std::vector<PlannedVariant>& plans, const AssemblyPlan& first, RobotOutput& output) {
   const model::Loops& loops = mechanism.loops;
   const std::vector<std::size_t> passive = passive_joints(mechanism);
   json values{{"name", mechanism.robot.name},
@@ -181,8 +218,9 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
               {"enough", closed_gap(mechanism)},
               {"in_c", false},
               {"has_rods", false},
+              {"chain_headers", headers_of_chains(plans)},
               {"missing", false}};
-  add_constraints(first_found(plans), values);
+  add_constraints(first, values);
   add_platform(loops, mechanism.robot.joints.size(), values);
   add_variants(mechanism, plans, has.language, output, values);
   return values;
@@ -201,21 +239,24 @@ void add_cxx(const std::string& name, bool with_c, const json& values, RobotOutp
 void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
   check_number_of_motors(mechanism);
   const std::string& name = mechanism.robot.name;
-  const std::vector<PlannedVariant> plans = plans_of(mechanism, has.has_limbs);
-  const json values = values_of(mechanism, has, plans, output);
+  std::vector<PlannedVariant> plans = plans_of(mechanism, has.has_limbs);
+  const AssemblyPlan first = first_found(plans);
+  drop_unsolved(has, plans);
+  const json values = values_of(mechanism, has, plans, first, output);
   if (has.language == Language::cxx) return add_cxx(name, has.with_c, values, output);
-  const emit::c::Part part = loops_in_c(mechanism, plans, first_found(plans), values);
+  const emit::c::Part part = loops_in_c(mechanism, plans, first, values);
   output.files.push_back({"c/qvgen_" + name + "_loops.h", part.header});
   output.files.push_back({"c/qvgen_" + name + "_loops.c", part.source});
 }
 
-Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs,
-                             Language language, bool with_c, const RobotOutput& output) {
+Surroundings surroundings_of(const model::Mechanism& mechanism, const PartsOfLoops& parts, Language language,
+                             bool with_c, const RobotOutput& output) {
+  const std::vector<RobotOutput>& limbs = parts.limbs;
   const std::string& name = mechanism.robot.name;
   if (language == Language::cxx) {
     const std::string headers = "include/qvgen/robots/" + name + "/";
     return {has_file(output, headers + "dynamics.h"), has_file(output, headers + "limbs.h"), with_c, language,
-            limbs};
+            parts};
   }
   bool has_limbs = !limbs.empty();
   for (std::size_t i = 0; i < limbs.size(); ++i)
@@ -223,7 +264,7 @@ Surroundings surroundings_of(const model::Mechanism& mechanism, const std::vecto
       has_limbs = has_limbs && declares(limbs[i], name + "_" + mechanism.tips[i].name, "", function);
   const bool has_dynamics =
       declares(output, name, "", "inverse_dynamics") && declares(output, name, "", "mass_matrix");
-  return {has_dynamics, has_limbs, with_c, language, limbs};
+  return {has_dynamics, has_limbs, with_c, language, parts};
 }
 
 /// Says why a language has no code of loops, or nothing.
@@ -246,6 +287,15 @@ std::vector<std::string> step_lines(const model::Robot& described, const derive:
   return lines;
 }
 
+std::vector<ChainRobot> chain_robots(const model::Mechanism& mechanism) {
+  std::vector<ChainRobot> robots;
+  for (const derive::loops::LoopChain& each : derive::loops::chains_of(mechanism)) {
+    robots.push_back({each.chain, "inverse"});
+    robots.push_back({each.rest, "kinematics"});
+  }
+  return robots;
+}
+
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   const auto count = [](int number, const std::string& of) {
     return fmt::format("{} {}{}", number, of, number == 1 ? "" : "s");
@@ -261,9 +311,9 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   return "";
 }
 
-void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
+void add_assembly(const model::Mechanism& mechanism, const PartsOfLoops& parts, Language language,
                   bool with_c, RobotOutput& output) {
-  const Surroundings has = surroundings_of(mechanism, limbs, language, with_c, output);
+  const Surroundings has = surroundings_of(mechanism, parts, language, with_c, output);
   const auto generate = [&](RobotOutput& made) { generate_assembly(mechanism, has, made); };
   if (const std::string lack = lack_of_loops(language); !lack.empty())
     output.missing.push_back({"assembly", Missing::Kind::not_in_language, lack});

@@ -18,11 +18,24 @@ std::vector<std::string> step_lines(const model::Robot& described, const derive:
 /// Says why the numbers of driven joints and of outputs do not fit so many freedoms; empty if they do.
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
+/// Outputs of the robots that a mechanism with loops calls.
+struct PartsOfLoops {
+  std::vector<RobotOutput> limbs;   ///< in the order of the tips
+  std::vector<RobotOutput> chains;  ///< of loops in space, and the rests of these loops
+};
+
+/// Returns the robots that loops in space are solved by, with the part of each that is needed.
+struct ChainRobot {
+  model::Robot robot;
+  std::string part;
+};
+std::vector<ChainRobot> chain_robots(const model::Mechanism& mechanism);
+
 /// Adds `assembly.h` and its source, or in C `qvgen_ROBOT_loops.h` and its source, to the output of a robot
 /// with loops, or what is missing of it. The functions of dynamics and of tips are there if the output has
 /// what they call, the inverse kinematics of tips if their `limbs` have theirs. `with_c`: a header of C for
 /// the C++, too.
-void add_assembly(const model::Mechanism& mechanism, const std::vector<RobotOutput>& limbs, Language language,
+void add_assembly(const model::Mechanism& mechanism, const PartsOfLoops& parts, Language language,
                   bool with_c, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

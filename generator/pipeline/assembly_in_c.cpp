@@ -31,28 +31,38 @@ void add_variants_in_c(const std::vector<PlannedVariant>& plans, const json& cpp
   }
 }
 
-int capacity_of(const std::vector<PlannedVariant>& plans, const std::string& function) {
-  for (const PlannedVariant& each : plans)
-    if (each.variant.function == function) return each.assembly.plan.capacity;
-  return 1;
+std::string capacity_in_c(const AssemblyPlan& assembly) {
+  return capacity_of(assembly, "", "_solutions_capacity");
 }
 
-/// Adds the most rows of any way, an expression of constants: limbs have as many solutions as their headers
-/// say.
+std::string capacity_of(const std::vector<PlannedVariant>& plans, const std::string& function) {
+  for (const PlannedVariant& each : plans)
+    if (each.variant.function == function) return capacity_in_c(each.assembly);
+  return "1";
+}
+
+/// Adds the most rows of any way, an expression of constants: limbs and chains have as many solutions as
+/// their headers say.
 void add_capacity(const std::vector<PlannedVariant>& plans, json& values) {
   int capacity = 1;
-  for (const PlannedVariant& each : plans)
-    if (each.assembly.found) capacity = std::max(capacity, each.assembly.plan.capacity);
-  std::string most = std::to_string(capacity);
+  std::vector<std::string> others;
+  for (const PlannedVariant& each : plans) {
+    if (!each.assembly.found) continue;
+    if (each.assembly.chains.empty())
+      capacity = std::max(capacity, each.assembly.plan.capacity);
+    else
+      others.push_back(capacity_in_c(each.assembly));
+  }
   for (json& tip : values["tips"]) {
     if (tip["inverse"] == false) continue;
-    const int ways = capacity_of(plans, tip["inverse"]["function"]);
+    const std::string ways = capacity_of(plans, tip["inverse"]["function"]);
     tip["inverse"]["most"] = ways;
-    const std::string all = fmt::format("{}_{}_solutions_capacity * {}", values["name"].get<std::string>(),
-                                        tip["tip"].get<std::string>(), ways);
-    most = fmt::format("({0} > {1} ? {0} : {1})", all, most);
+    others.push_back(fmt::format("{}_{}_solutions_capacity * {}", values["name"].get<std::string>(),
+                                 tip["tip"].get<std::string>(), ways));
     values["has_inverse"] = true;
   }
+  std::string most = std::to_string(capacity);
+  for (const std::string& other : others) most = fmt::format("({0} > {1} ? {0} : {1})", other, most);
   values["most_capacity"] = most;
 }
 

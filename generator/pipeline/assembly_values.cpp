@@ -169,6 +169,29 @@ json values_of_known(const AssemblyPlan& assembly, const Dialect& dialect) {
   return list;
 }
 
+/// The loops that are solved as chains. Each calls what comes behind it by its number.
+json chains_of(const AssemblyPlan& assembly) {
+  json list = json::array();
+  for (std::size_t i = assembly.chains.size(); i-- > 0;) {
+    const derive::loops::LoopChain& each = assembly.chains[i];
+    json joints = json::array(), fields = json::array();
+    for (std::size_t place = 0; place < each.joints.size(); ++place)
+      if (each.joints[place]) joints.push_back({{"place", place}, {"joint", *each.joints[place]}});
+    for (const model::Parameter& parameter : each.chain.geometry)
+      fields.push_back({{"field", parameter.name}});
+    list.push_back({{"number", i},
+                    {"next", i + 1},
+                    {"loop", each.cycle + 1},
+                    {"chain", each.chain.name},
+                    {"rest", each.rest.name},
+                    {"rest_joints", commas(each.rest_joints)},
+                    {"joints", joints},
+                    {"fields", fields},
+                    {"is_short", each.held().size() < derive::loops::rows_of(assembly.cycles[each.cycle])}});
+  }
+  return list;
+}
+
 json fields_of(const std::vector<std::string>& list) {
   json result = json::array();
   for (const std::string& name : list) result.push_back({{"field", name}});
@@ -223,12 +246,38 @@ json slides_in(const LoopVariant& variant, const AssemblyPlan& assembly, const s
   return {{"list", fmt::format("{{{}}}", fmt::join(lengths, ", "))}};
 }
 
+/// Each unknown with its equation.
+std::vector<std::string> summary_of(const model::Robot& described, const AssemblyPlan& assembly) {
+  std::vector<std::string> lines;
+  for (const derive::loops::LoopChain& chain : assembly.chains)
+    lines.push_back(fmt::format("{}: the inverse kinematics of {}", described_names(described, chain.held()),
+                                chain.chain.name));
+  for (const std::string& line : step_lines(described, assembly.plan)) lines.push_back(line);
+  return lines;
+}
+
+/// Says what is proven of the steps. Loops that are chains are certified as inverse kinematics.
+std::string certificate_of(const model::Mechanism& mechanism, const AssemblyPlan& assembly,
+                           const derive::inverse::LoweredPlan& plan) {
+  if (!assembly.chains.empty() && assembly.plan.steps.empty())
+    return "Newton's steps close each row to rounding.";
+  return verify::certify_loops(mechanism, assembly, plan, certificate_inputs).text();
+}
+
 }  // namespace
 
 std::string described_names(const model::Robot& robot, const std::vector<std::size_t>& joints) {
   std::vector<std::string> list;
   for (const std::size_t joint : joints) list.push_back(robot.joints[joint].variable);
   return commas(list);
+}
+
+std::string capacity_of(const AssemblyPlan& assembly, const std::string& before, const std::string& behind) {
+  std::string text;
+  for (const derive::loops::LoopChain& chain : assembly.chains)
+    text += before + chain.chain.name + behind + " * ";
+  if (!text.empty() && assembly.plan.capacity == 1) return text.substr(0, text.size() - 3);
+  return text + std::to_string(assembly.plan.capacity);
 }
 
 void add_constraints(const AssemblyPlan& assembly, json& values) {
@@ -253,8 +302,7 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
 
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
   const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
-  const verify::LoopCertificate certificate =
-      verify::certify_loops(mechanism, assembly, plan, certificate_inputs);
+  const bool has_chains = !assembly.chains.empty();
   const model::Robot& robot = assembly.robot;
   const bool forward = variant.function == "assemble";
   json geometry = json::array();
@@ -267,17 +315,21 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"type", variant.type},
           {"space", variant.space},
           {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) +
-                      "; at most " + std::to_string(assembly.plan.capacity) + "." +
+                      (has_chains ? "." : "; at most " + capacity_of(assembly, "", "") + ".") +
                       text_of_order(mechanism.robot, assembly)},
-          {"summary", emit::lines_of(step_lines(mechanism.robot, assembly.plan))},
-          {"certificate", certificate.text()},
-          {"capacity", assembly.plan.capacity},
+          {"summary", emit::lines_of(summary_of(mechanism.robot, assembly))},
+          {"certificate", certificate_of(mechanism, assembly, plan)},
+          {"capacity", capacity_of(assembly, "robots::", "::Solutions::max_size")},
+          {"chains", chains_of(assembly)},
+          {"has_chains", has_chains},
+          {"count_of_chains", assembly.chains.size()},
+          {"each_chain", assembly.plan.capacity},
           {"argument", variant.argument},
           {"argument_type", forward ? std::string("Driven")
                                     : fmt::format("Eigen::Matrix<double, {}, 1>", variant.given.size())},
           {"given", commas(assembly.given)},
           {"given_count", assembly.given.size()},
-          {"given_flags", commas(flags(robot.joints.size(), assembly.known()))},
+          {"given_flags", commas(flags(robot.joints.size(), assembly.told()))},
           {"rods", false},
           {"has_gears", assembly.has_gears()},
           {"gears", values_of_gears(assembly, in_cpp())},
@@ -317,6 +369,7 @@ json variant_in_c(const LoopVariant& variant, const AssemblyPlan& assembly, json
   const std::string prefix = variant.function + "_";
   const emit::c::Printer printer(prefix);
   values["p"] = prefix;
+  values["capacity"] = capacity_of(assembly, "", "_solutions_capacity");
   values["gears"] = values_of_gears(assembly, in_c());
   values["given_values"] = values_of_known(assembly, in_c());
   values["slides"] = slides_in(variant, assembly, "fabs");

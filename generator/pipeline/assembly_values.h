@@ -22,6 +22,10 @@ std::string commas(const List& list) {
 /// Names of joints, as the description has them.
 std::string described_names(const model::Robot& robot, const std::vector<std::size_t>& joints);
 
+/// The most assemblies that a plan gives: a number, times that of each chain, by its name between two texts.
+std::string capacity_of(const derive::loops::AssemblyPlan& assembly, const std::string& before,
+                        const std::string& behind);
+
 /// Adds the gaps, their Jacobian and its rate as code.
 void add_constraints(const derive::loops::AssemblyPlan& assembly, nlohmann::json& values);
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "pipeline/assembly.h"
+#include "pipeline/assembly_values.h"
 #include "pipeline/loop_variants.h"
 #include "pipeline/six_rods.h"
 #include "verify/loops/mobility.h"
@@ -55,8 +56,12 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
     to.lines.push_back(line_without_plan(mechanism, variant, assembly.reasons));
     return;
   }
-  to.lines.push_back(
-      fmt::format("{} from {}: {} assemblies at most", variant.function, from, assembly.plan.capacity));
+  to.lines.push_back(fmt::format("{} from {}: {} at most", variant.function, from,
+                                 assembly.chains.empty() ? capacity_of(assembly, "", "") + " assemblies"
+                                                         : capacity_of(assembly, "the solutions of ", "")));
+  for (const derive::loops::LoopChain& chain : assembly.chains)
+    to.lines.push_back(fmt::format("loop {} in space: {} by the inverse kinematics of {}", chain.cycle + 1,
+                                   names_of(mechanism, chain.held()), chain.chain.name));
   if (!steps) return;
   for (const std::string& line : gear_lines(mechanism, assembly.geared)) to.lines.push_back("  " + line);
   for (const std::string& line : step_lines(mechanism.robot, assembly.plan)) to.lines.push_back("  " + line);

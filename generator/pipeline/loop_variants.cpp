@@ -22,12 +22,6 @@ auto with_given(const List& list, const Given& given_of, const std::vector<std::
   return std::find_if(list.begin(), list.end(), [&](const auto& each) { return given_of(each) == joints; });
 }
 
-bool solves_poses(const RobotOutput& limb) {
-  const ordered_json targets = limb.counts.value("targets", ordered_json::object());
-  const ordered_json taken = targets.value(inverse, ordered_json::array());
-  return std::find(taken.begin(), taken.end(), "pose") != taken.end();
-}
-
 /// Says why a limb has no solutions for poses; empty if none was asked for.
 std::string lack_of_solutions(const RobotOutput& limb) {
   if (limb.counts.contains("targets"))
@@ -39,6 +33,12 @@ std::string lack_of_solutions(const RobotOutput& limb) {
 }
 
 }  // namespace
+
+bool solves_poses(const RobotOutput& robot) {
+  const ordered_json targets = robot.counts.value("targets", ordered_json::object());
+  const ordered_json taken = targets.value(inverse, ordered_json::array());
+  return std::find(taken.begin(), taken.end(), "pose") != taken.end();
+}
 
 std::vector<LoopVariant> loop_variants(const model::Loops& loops) {
   std::vector<LoopVariant> variants{{"assemble", loops.actuated, "Assembled", "assembly", "a"}};

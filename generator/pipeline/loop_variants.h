@@ -42,6 +42,9 @@ struct LimbInverse {
   bool has_gears = false;  ///< joints follow others there
 };
 
+/// True if a robot has an inverse kinematics that takes poses.
+bool solves_poses(const RobotOutput& robot);
+
 /// Finds the way on from an arm's solutions to the motors. `limb` is the output of the limb to that tip.
 LimbInverse limb_inverse(const model::Mechanism& mechanism, std::size_t tip, const RobotOutput& limb,
                          const std::vector<PlannedVariant>& plans);

@@ -6,6 +6,8 @@
 #include <palletiser_any.h>
 #include <planar_3rpr_any.h>
 #include <planar_3rrr_any.h>
+#include <rccc_any.h>
+#include <seven_turns_any.h>
 #include <stewart_any.h>
 #include <three_rps_any.h>
 
@@ -70,6 +72,8 @@ QVGEN_LINKAGES_TEST(PlatformsOnCranksFromTheirPlaces, planar_3rrr, assemble_from
 QVGEN_LINKAGES_TEST(PlatformsOnCylinders, planar_3rpr, assemble, driven)
 QVGEN_LINKAGES_TEST(PlatformsOnCylindersFromTheirPlaces, planar_3rpr, assemble_from_outputs, outputs)
 QVGEN_LINKAGES_TEST(PlatformsOnSwingingLegs, three_rps, assemble_from_outputs, outputs)
+QVGEN_LINKAGES_TEST(CylindricalLoops, rccc, assemble, driven)
+QVGEN_LINKAGES_TEST(WeldedTurns, seven_turns, assemble, driven)
 QVGEN_LINKAGES_TEST(GoughStewartPlatforms, stewart, assemble_from_outputs, outputs)
 
 }  // namespace

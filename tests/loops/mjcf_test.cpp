@@ -61,6 +61,17 @@ const std::string piston =
              body("barrel", "pos='1 -0.5 0'", hinge, body("stroke", "pos='0.1 0.2 0'", slide)),
          "<weld body1='stroke' body2='rod'/>", "crank");
 
+/// Seven turns in space, closed by a weld in the file's pose, which is no zero of its frames.
+const std::string in_space =
+    mjcf(body("crank", "", "axis='0 0 1'",
+              body("b", "pos='0.3 0 0' euler='0.3 0 0'", "axis='0 1 0'",
+                   body("c", "pos='0.1 0.3 0'", "axis='1 0 0' ref='0.2'",
+                        body("d", "pos='0 0.3 0.1' euler='0 0.2 0'", "axis='0 0 1'")))) +
+             body("k", "pos='0.5 0 0.2'", "axis='0 1 0'",
+                  body("m", "pos='0 0.2 0' euler='0 0 0.4'", "axis='1 0 0'",
+                       body("n", "pos='0.1 0.3 0'", "axis='0 0 1'"))),
+         "<weld body1='d' body2='n'/>", "crank");
+
 /// A five-bar whose cranks <joint> ties, with references that are not zero.
 const std::string geared =
     mjcf(crank + body("other", "pos='1 0 1' euler='1.5707963267948966 0 0'", "axis='0 0 1' ref='-0.2'",
@@ -120,7 +131,7 @@ void expect_closed_form(const model::Mechanism& mechanism, int assemblies) {
 }
 
 TEST(MjcfLoops, AreThoseOfMujoco) {
-  for (const std::string& text : {connected, welded, welded_by_pose, slider, piston, geared})
+  for (const std::string& text : {connected, welded, welded_by_pose, slider, piston, geared, in_space})
     expect_same_loops(text);
 }
 
@@ -131,6 +142,15 @@ TEST(MjcfLoops, HaveTheirClosedForms) {
     EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
     expect_closed_form(mechanism, 2);
   }
+}
+
+TEST(MjcfLoops, WeldsInSpaceAreChains) {
+  const model::Mechanism mechanism = mechanism_of(in_space);
+  EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+  const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  ASSERT_TRUE(plan.found) << testing::PrintToString(plan.reasons);
+  ASSERT_EQ(plan.chains.size(), 1U);
+  EXPECT_EQ(plan.chains[0].chain.joints.size(), 6U);
 }
 
 /// A weld is a pin whose joint is one more: both have the same assemblies.

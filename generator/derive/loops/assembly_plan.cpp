@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "derive/inverse/names.h"
 #include "derive/inverse/schedule.h"
 #include "derive/loops/hoist.h"
+#include "derive/loops/in_space.h"
 #include "derive/loops/named_angles.h"
+#include "derive/loops/size.h"
 #include "derive/loops/solver.h"
 #include "model/private_names.h"
 #include "symbolic/model.h"
@@ -19,7 +22,6 @@ namespace {
 using GiNaC::ex;
 using inverse::Plan;
 using symbolic::dot;
-using symbolic::Vector;
 namespace names = inverse::names;
 
 std::vector<std::size_t> others(std::size_t count, const std::vector<std::size_t>& joints) {
@@ -42,27 +44,6 @@ void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::siz
   } else {
     plan.target.output(variable, scope.length(variable));
   }
-}
-
-ex square_of(const model::Displacement& displacement) {
-  const Vector v = symbolic::to_symbolic(displacement.translation);
-  return dot(v, v);
-}
-
-/// The square of a length of the mechanism's size.
-ex size_square(const AssemblyPlan& assembly) {
-  ex sum = 0;
-  for (const model::Joint& joint : assembly.robot.joints)
-    sum += square_of(joint.before) + square_of(joint.after);
-  for (const Cycle& cycle : assembly.cycles) {
-    if (!cycle.length_joint) sum += cycle.length * cycle.length;
-    for (const Side& side : cycle.sides) sum += dot(side.point, side.point);
-  }
-  for (const std::size_t joint : assembly.given) {
-    const model::Joint& given = assembly.robot.joints[joint];
-    if (given.type == model::JointType::prismatic) sum += GiNaC::pow(symbolic::symbol(given.variable), 2);
-  }
-  return sum;
 }
 
 std::string number_list(const std::vector<std::size_t>& cycles) {
@@ -88,14 +69,19 @@ std::string with_described_names(std::string text, const model::Robot& robot,
 /// Solves closures as long as one of them serves.
 class Search {
  public:
-  Search(AssemblyPlan& assembly, const std::vector<std::string>& described, inverse::Scope& scope,
-         inverse::Builder& builder)
-      : assembly_(assembly), described_(described), solver_(assembly.robot, scope, builder), scope_(scope) {
+  Search(const model::Mechanism& mechanism, AssemblyPlan& assembly, const std::vector<std::string>& described,
+         inverse::Scope& scope, inverse::Builder& builder)
+      : mechanism_(mechanism),
+        assembly_(assembly),
+        described_(described),
+        solver_(assembly.robot, scope, builder),
+        scope_(scope) {
     for (const std::size_t joint : assembly.known()) solver_.know(joint);
   }
 
   void run() {
     for (std::size_t i = 0; i < assembly_.cycles.size(); ++i) open_.push_back(i);
+    for (const LoopChain& chain : assembly_.chains) close({chain.cycle}, assembly_.used);
     for (const Geared& geared : assembly_.geared) close({geared.cycle}, assembly_.used);
     while (step()) {
     }
@@ -316,6 +302,10 @@ class Search {
     if (cycle(i).type == model::LoopType::rod)
       return head + "its rod places one joint, and " + unknown_names(i) +
              " are open; drive all but one of them";
+    if (is_rigid_in_space(cycle(i))) {
+      const std::string reason = chain_of(mechanism_, cycle(i), known()).reason;
+      return head + (reason.empty() ? "in space it is derived from the driven joints alone" : reason);
+    }
     if (!cycle(i).normal)
       return head +
              "its axes are not all parallel; in space, write rods in place of links with balls at both ends";
@@ -329,6 +319,17 @@ class Search {
            " are open; drive all but " + equations + " of them, or close the loops that hold them one by one";
   }
 
+  /// Joints that have values by now.
+  [[nodiscard]] std::vector<std::size_t> known() const {
+    std::vector<std::size_t> all(assembly_.robot.joints.size()), open;
+    std::iota(all.begin(), all.end(), 0);
+    for (const Cycle& each : assembly_.cycles)
+      for (const std::size_t joint : solver_.unknown(each)) open.push_back(joint);
+    std::erase_if(all, [&](auto j) { return std::find(open.begin(), open.end(), j) != open.end(); });
+    return all;
+  }
+
+  const model::Mechanism& mechanism_;
   AssemblyPlan& assembly_;
   const std::vector<std::string>& described_;
   Solver solver_;
@@ -354,10 +355,23 @@ void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described)
 
 }  // namespace
 
-std::vector<std::size_t> AssemblyPlan::known() const {
+std::vector<std::size_t> AssemblyPlan::told() const {
   std::vector<std::size_t> joints = given;
   for (const Geared& each : geared) joints.push_back(each.joint);
   return joints;
+}
+
+std::vector<std::size_t> AssemblyPlan::known() const {
+  std::vector<std::size_t> joints = told();
+  for (const LoopChain& each : chains)
+    for (const std::size_t joint : each.held()) joints.push_back(joint);
+  return joints;
+}
+
+std::vector<std::size_t> AssemblyPlan::held_by(std::size_t cycle) const {
+  for (const LoopChain& each : chains)
+    if (each.cycle == cycle) return each.held();
+  return {};
 }
 
 AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
@@ -370,10 +384,12 @@ AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<
   inverse::Scope scope = scope_of(assembly.robot, mechanism.loops);
   assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
   assembly.geared = geared_by(assembly.cycles, given);
+  if (given == mechanism.loops.actuated)
+    assembly.chains = chains_of(mechanism, assembly.cycles, assembly.told());
   inverse::Builder builder(assembly.robot, scope, assembly.plan);
   for (const std::size_t joint : assembly.known()) give(assembly.plan, scope, assembly.robot, joint);
   scope.rename(assembly.plan.target, names::size_square, size_square(assembly));
-  Search(assembly, described, scope, builder).run();
+  Search(mechanism, assembly, described, scope, builder).run();
   if (assembly.found) conclude(assembly, described);
   return assembly;
 }

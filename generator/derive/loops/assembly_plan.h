@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "derive/inverse/plan.h"
+#include "derive/loops/chains.h"
 #include "derive/loops/cycle.h"
 #include "derive/loops/gears.h"
 #include "model/mechanism.h"
@@ -22,6 +23,7 @@ struct AssemblyPlan {
   std::vector<std::size_t> given;    ///< joints with values of the caller's, in his order
   std::vector<Geared> geared;        ///< joints that those lead by gears, one after the other
   std::vector<Geared> led;           ///< joints that gears lead behind steps, in their order
+  std::vector<LoopChain> chains;     ///< loops in space, solved before all steps, one after the other
   std::vector<std::size_t> passive;  ///< all but the given ones, sorted
   inverse::Plan plan;
   std::vector<Cycle> cycles;           ///< all, in the order of the file
@@ -29,8 +31,12 @@ struct AssemblyPlan {
   std::vector<std::size_t> redundant;  ///< indices of those that hold nothing more
   std::vector<std::string> reasons;
 
-  /// Joints whose values are known before the first step.
+  /// Joints that are given or that gears lead by those.
+  [[nodiscard]] std::vector<std::size_t> told() const;
+  /// Joints whose values are known before the first step: these, and those of chains.
   [[nodiscard]] std::vector<std::size_t> known() const;
+  /// Joints that a loop in space holds.
+  [[nodiscard]] std::vector<std::size_t> held_by(std::size_t cycle) const;
   [[nodiscard]] bool has_gears() const { return !geared.empty() || !led.empty(); }
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "derive/loops/constraints.h"
 
+#include <numeric>
+
 #include "derive/inverse/names.h"
+#include "derive/loops/in_space.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::loops {
@@ -45,19 +48,14 @@ class Equations {
   [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }
 
  private:
-  /// Gaps of a weld or a slide: the way between the links, not that along the slide, and how they are turned.
+  /// Gaps of a weld or a slide in a plane: the way between the links, not that along the slide, and how they
+  /// are turned.
   static std::vector<ex> gaps_of_rigid(const Carrier& carrier, const Cycle& cycle, const Vector& way) {
     std::vector<std::array<Vector, 2>> seen;
     for (const auto& [first, second] : cycle.directions)
       seen.push_back({carrier.end_direction(cycle.sides[0], first, -1),
                       carrier.end_direction(cycle.sides[1], second, -1)});
     const bool slides = cycle.type == model::LoopType::slide;
-    if (!cycle.normal) {
-      std::vector<ex> gaps{dot(seen[1][0], way), dot(seen[2][0], way)};
-      if (!slides) gaps = {way.x, way.y, way.z};
-      for (std::size_t i = 0; i < 3; ++i) gaps.push_back(dot(seen[i][0], seen[(i + 1) % 3][1]));
-      return gaps;
-    }
     const auto [first, second] = across(*cycle.normal);
     std::vector<ex> gaps{dot(symbolic::cross(*cycle.normal, seen[0][0]), way)};
     if (!slides) gaps = {dot(first, way), dot(second, way)};
@@ -76,39 +74,103 @@ class Equations {
   const model::Robot& robot_;
 };
 
+void put_row(const ex& gap, const std::vector<ex>& by, const ex& bias, Constraints& to) {
+  const std::string row = std::to_string(to.rows++);
+  to.gap.output("gap_" + row, gap);
+  for (std::size_t j = 0; j < by.size(); ++j)
+    to.jacobian.output("row_" + row + "_" + std::to_string(j), by[j]);
+  to.bias.output("bias_" + row, bias);
+}
+
+/// Sums of rows, each times its factor, one for each list of factors.
+std::vector<ex> sums(const std::vector<std::vector<ex>>& factors, const std::vector<ex>& rows,
+                     symbolic::Program& program) {
+  std::vector<ex> result;
+  for (const std::vector<ex>& list : factors) {
+    ex sum = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      sum += program.let(list[row]) * program.let(rows[row]);
+    result.push_back(sum);
+  }
+  return result;
+}
+
+/// The columns of some joints.
+std::vector<std::vector<ex>> columns(const std::vector<std::vector<ex>>& rows,
+                                     const std::vector<std::size_t>& joints) {
+  std::vector<std::vector<ex>> result;
+  for (const std::size_t joint : joints) {
+    result.emplace_back();
+    for (const std::vector<ex>& row : rows) result.back().push_back(row[joint]);
+  }
+  return result;
+}
+
+/// Joints that a closure holds; none: whatever it holds.
+using Held = std::optional<std::vector<std::size_t>>;
+
+/// Appends the equations of a weld or a slide in space. `held`: joints that it holds; if these are fewer than
+/// its equations, which then agree, there is one for each of them, the equations' sum with what the joint
+/// moves each of them by as factors: as a least squares has it.
+void add_in_space(const model::Robot& robot, const Cycle& cycle, const Held& held, Constraints& to) {
+  auto gaps = gaps_in_space(robot, cycle, to.gap);
+  auto by = jacobian_in_space(robot, cycle, to.jacobian);
+  auto bias = bias_in_space(robot, cycle, to.bias);
+  if (held && held->size() < gaps.size()) {
+    gaps = sums(columns(jacobian_in_space(robot, cycle, to.gap), *held), gaps, to.gap);
+    bias = sums(columns(jacobian_in_space(robot, cycle, to.bias), *held), bias, to.bias);
+    std::vector<std::size_t> all(robot.joints.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto factors = columns(by, *held), whole = columns(by, all);
+    by.assign(held->size(), {});
+    for (const std::vector<ex>& column : whole) {
+      const std::vector<ex> sum = sums(factors, column, to.jacobian);
+      for (std::size_t row = 0; row < sum.size(); ++row) by[row].push_back(sum[row]);
+    }
+  }
+  for (std::size_t row = 0; row < gaps.size(); ++row) put_row(gaps[row], by[row], bias[row], to);
+}
+
 /// Appends the equations of a closure.
-void add(const Equations& equations, const Cycle& cycle, std::size_t joints, Constraints& to) {
+void add(const model::Robot& robot, const Cycle& cycle, const Held& held, Constraints& to) {
+  if (is_rigid_in_space(cycle)) return add_in_space(robot, cycle, held, to);
+  const Equations equations(robot);
+  const std::size_t joints = robot.joints.size();
   for (const ex& gap : equations.gaps(cycle)) {
-    const std::string row = std::to_string(to.rows++);
-    to.gap.output("gap_" + row, gap);
+    std::vector<ex> row;
     ex bias = 0;
     for (std::size_t j = 0; j < joints; ++j) {
-      const ex by = equations.by(gap, j);
-      to.jacobian.output("row_" + row + "_" + std::to_string(j), by);
+      row.push_back(equations.by(gap, j));
       for (std::size_t k = 0; k < joints; ++k)
-        bias += equations.by(by, k) * equations.rate(j) * equations.rate(k);
+        bias += equations.by(row.back(), k) * equations.rate(j) * equations.rate(k);
     }
-    to.bias.output("bias_" + row, bias);
+    put_row(gap, row, bias, to);
   }
+}
+
+/// Appends the gaps of a closure that is checked and not solved.
+void add_redundant(const model::Robot& robot, const Cycle& cycle, Constraints& to) {
+  const std::vector<ex> gaps =
+      is_rigid_in_space(cycle) ? gaps_in_space(robot, cycle, to.gap) : Equations(robot).gaps(cycle);
+  for (const ex& gap : gaps) to.gap.output("gap_" + std::to_string(to.rows + to.redundant_rows++), gap);
 }
 
 }  // namespace
 
 Constraints constraints_of(const AssemblyPlan& assembly) {
   Constraints result;
-  const Equations equations(assembly.robot);
   for (const std::size_t i : assembly.used)
-    add(equations, assembly.cycles[i], assembly.robot.joints.size(), result);
-  for (const std::size_t i : assembly.redundant)
-    for (const ex& gap : equations.gaps(assembly.cycles[i]))
-      result.gap.output("gap_" + std::to_string(result.rows + result.redundant_rows++), gap);
+    add(assembly.robot, assembly.cycles[i], assembly.held_by(i), result);
+  for (const std::size_t i : assembly.used)
+    if (is_rigid_in_space(assembly.cycles[i]) && assembly.held_by(i).size() < rows_of(assembly.cycles[i]))
+      add_redundant(assembly.robot, assembly.cycles[i], result);
+  for (const std::size_t i : assembly.redundant) add_redundant(assembly.robot, assembly.cycles[i], result);
   return result;
 }
 
 Constraints constraints_of(const model::Robot& robot, const std::vector<Cycle>& cycles) {
   Constraints result;
-  const Equations equations(robot);
-  for (const Cycle& cycle : cycles) add(equations, cycle, robot.joints.size(), result);
+  for (const Cycle& cycle : cycles) add(robot, cycle, {}, result);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verify/loops/certify_loops.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -79,13 +80,20 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
   const LoopNumbers numbers(mechanism);
   const dag::Function gaps = gaps_of(assembly);
   const std::size_t rows = derive::loops::constraints_of(assembly).rows;
+  // Chains come first; they are certified as inverse kinematics, and their samples are rounded.
+  std::size_t first = 0;
+  for (const derive::loops::LoopChain& chain : assembly.chains)
+    first += std::min(derive::loops::rows_of(assembly.cycles[chain.cycle]), chain.held().size());
   for (int k = 0; k < inputs; ++k) {
     const auto q = numbers.assembled(static_cast<unsigned>(k + 1));
     if (!q)
       throw std::domain_error(
           "no joint values were found at which all loops close; correct lengths or points");
     Values values = geometry_of(assembly);
-    for (const std::size_t joint : assembly.given)
+    std::vector<std::size_t> sampled_joints = assembly.given;
+    for (const derive::loops::LoopChain& chain : assembly.chains)
+      for (const std::size_t joint : chain.held()) sampled_joints.push_back(joint);
+    for (const std::size_t joint : sampled_joints)
       put(assembly.robot.joints[joint], Real((*q)[static_cast<Eigen::Index>(joint)]), values);
     const Values given = values;
     for (const Geared& geared : assembly.geared) put_geared(assembly, geared, values);
@@ -95,7 +103,7 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
       for (const std::size_t i : assembly.passive) put(assembly.robot.joints[i], row.q[i], at);
       for (const Geared& geared : assembly.geared) put_geared(assembly, geared, at);
       for (const Geared& geared : assembly.led) put_geared(assembly, geared, at);
-      if (widest(gaps, at, 0, rows) > fifty_digits)
+      if (widest(gaps, at, first, rows) > fifty_digits)
         throw CertificateError("closed loops: an assembly does not close them");
       if (widest(gaps, at, rows, gaps.outputs.size()) > sample_accuracy) continue;  // of redundant loops
       ++certificate.assemblies;

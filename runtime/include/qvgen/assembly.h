@@ -37,6 +37,14 @@ namespace inverse {
 
 /// Two assemblies that meet are one if their joints, rad or m, are nearer than this: the root of rounding.
 inline constexpr double same_assembly = 6e-8;
+/// Assemblies that a chain has found meet if their joints, rad or m, are nearer than this.
+inline constexpr double meeting_assemblies = 1e-6;
+/// They are at a dead centre if the loops' measure of the passive joints is less.
+inline constexpr double dead_centre = 1e-9;
+/// Gap, as a share of the size, that rounding may leave of loops.
+inline constexpr double rounding_of_loops = 1e-13;
+/// Gap, as a share of the size, of poses for chains of fewer joints than there are equations.
+inline constexpr double pose_of_few_joints = 1e-11;
 
 /// True if the values of all joints that are not given are finite.
 template <int dof, std::size_t count>

@@ -143,4 +143,27 @@ bool close_well(Assemblies<dof, capacity>& found, const std::array<bool, count>&
   return are_all;
 }
 
+/// Brings rows that chains of joints have found to where they close the loops to rounding, and leaves out
+/// those that do not: a chain of few joints reaches poses that are only nearly its own. Marks rows that meet
+/// another, or are at a dead centre. False if rows were lost. `size`: of the mechanism, m.
+template <int dof, int capacity, std::size_t count, std::size_t passive_count, class Gaps, class Jacobian>
+bool close_chains(Assemblies<dof, capacity>& found, const std::array<bool, count>& revolute,
+                  const std::array<int, passive_count>& passive, const Gaps& gaps, const Jacobian& jacobian,
+                  double size) {
+  const double closed = inverse::rounding_of_loops * size;
+  const bool are_all = close_well(found, revolute, passive, gaps, jacobian, closed / 4);
+  int kept = 0;
+  for (const Solution<dof>& row : found)
+    if (gaps(row.q).cwiseAbs().maxCoeff() <= closed) found[kept++] = row;
+  found.truncate(kept);
+  for (const Solution<dof>& row : found) {
+    const bool meets_other = std::any_of(found.begin(), found.end(), [&](const Solution<dof>& other) {
+      return &other != &row && joint_distance<dof>(other.q, row.q, revolute) < inverse::meeting_assemblies;
+    });
+    if (meets_other || loop_measure(jacobian(row.q), passive) < inverse::dead_centre)
+      found.meeting.set(static_cast<std::size_t>(row.branch));
+  }
+  return are_all;
+}
+
 }  // namespace qvgen

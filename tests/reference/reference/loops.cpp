@@ -35,6 +35,35 @@ std::vector<Eigen::Index> joints_in(const toml::table& file, const char* key, co
   return joints;
 }
 
+Vector3d vector_of(const toml::node& node, const Values& values) {
+  if (const auto name = node.value_exact<std::string>())
+    return (name->front() == '-' ? -1.0 : 1.0) * Vector3d::Unit(name->back() - 'x');
+  Vector3d v;
+  for (std::size_t k = 0; k < 3; ++k)
+    v[static_cast<Eigen::Index>(k)] = value_of(*node.as_array()->get(k), values);
+  return v;
+}
+
+/// How a weld or a slide ties two links.
+void read_rigid(const toml::table& table, const Values& values, Closure& closure) {
+  const std::string type = table["type"].value_or(std::string());
+  closure.is_rigid = type == "weld" || type == "slide";
+  closure.turn.setIdentity();
+  if (const toml::node* rpy = table.get("rpy")) {
+    const Vector3d angles = vector_of(*rpy, values);
+    for (const int axis : {2, 1, 0})
+      closure.turn *= Eigen::AngleAxisd(angles[axis], Vector3d::Unit(axis)).toRotationMatrix();
+  }
+  if (const toml::array* turns = table["turns"].as_array())
+    for (const toml::node& each : *turns) {
+      const toml::table& turn = *each.as_table();
+      closure.turn *=
+          Eigen::AngleAxisd(value_of(*turn.get("angle"), values), vector_of(*turn.get("axis"), values))
+              .toRotationMatrix();
+    }
+  if (type == "slide") closure.line = vector_of(*table.get("axis"), values);
+}
+
 Closure closure_of(const toml::table& table, const Chain& chain, const Values& values) {
   Closure closure;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -42,6 +71,7 @@ Closure closure_of(const toml::table& table, const Chain& chain, const Values& v
     for (std::size_t k = 0; k < 3; ++k)
       closure.points[i][static_cast<Eigen::Index>(k)] = value_of(*table["at"][i][k].node(), values);
   }
+  read_rigid(table, values, closure);
   const toml::node* length = table.get("length");
   const auto named = length == nullptr ? std::nullopt : length->value_exact<std::string>();
   for (std::size_t i = 0; named && i < chain.joints.size(); ++i)
@@ -88,6 +118,31 @@ Ends ends_of(const LoopMechanism& mechanism, const Closure& closure, const std::
         (closure.links[i] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[i])]) *
         closure.points[i];
   return ends;
+}
+
+/// How the first link of a weld or a slide is turned against where the second one has it, in the world's
+/// frame.
+Vector3d turn_between(const LoopMechanism& mechanism, const Closure& closure,
+                      const std::vector<Isometry3d>& frames) {
+  std::array<Eigen::Matrix3d, 2> at;
+  for (std::size_t i = 0; i < 2; ++i)
+    at[i] = (closure.links[i] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[i])])
+                .linear();
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(at[0] * closure.turn * at[1].transpose()));
+  return turn.angle() * turn.axis();
+}
+
+/// Directions across the line of a slide, in the world's frame.
+Eigen::Matrix<double, 2, 3> across_line(const LoopMechanism& mechanism, const Closure& closure,
+                                        const std::vector<Isometry3d>& frames) {
+  const Eigen::Matrix3d link =
+      (closure.links[0] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[0])])
+          .linear();
+  const Vector3d first = closure.line->unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> rows;
+  rows.row(0) = (link * first).transpose();
+  rows.row(1) = (link * closure.line->cross(first)).transpose();
+  return rows;
 }
 
 double wrapped(double angle) { return std::remainder(angle, 2 * M_PI); }
@@ -175,8 +230,15 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
     const Vector3d way = ends.at[0] - ends.at[1];
     if (closure.is_rod())
       result.push_back(way.norm() - (closure.length_joint < 0 ? closure.length : q[closure.length_joint]));
-    else
+    else if (closure.line) {
+      const Eigen::Vector2d off = across_line(mechanism, closure, at) * way;
+      result.insert(result.end(), {off.x(), off.y()});
+    } else {
       result.insert(result.end(), {way.x(), way.y(), way.z()});
+    }
+    if (!closure.is_rigid) continue;
+    const Vector3d turn = turn_between(mechanism, closure, at);
+    result.insert(result.end(), {turn.x(), turn.y(), turn.z()});
   }
   const VectorXd expected = followed(mechanism, q);
   for (const Gear& gear : mechanism.gears) result.push_back(q[gear.joint] - expected[gear.joint]);
@@ -199,23 +261,34 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
   Eigen::Index row = 0;
   for (const Closure& closure : mechanism.closures) {
     const Ends ends = ends_of(mechanism, closure, at);
-    MatrixXd by = MatrixXd::Zero(3, q.size());
+    MatrixXd by = MatrixXd::Zero(3, q.size()), spin = by, of_line = by;
+    const Vector3d way = ends.at[0] - ends.at[1];
     for (std::size_t end = 0; end < 2; ++end) {
       for (std::size_t i = 0; closure.links[end] >= 0 && i < chain.joints.size(); ++i) {
         if (!chain.moves(i, static_cast<std::size_t>(closure.links[end]))) continue;
         const Vector3d rate =
             chain.joints[i].revolute ? places[i].axis.cross(ends.at[end] - places[i].point) : places[i].axis;
-        by.col(static_cast<Eigen::Index>(i)) += (end == 0 ? 1 : -1) * rate;
+        const auto joint = static_cast<Eigen::Index>(i);
+        by.col(joint) += (end == 0 ? 1 : -1) * rate;
+        if (!chain.joints[i].revolute) continue;
+        spin.col(joint) += (end == 0 ? 1 : -1) * places[i].axis;
+        if (end == 0) of_line.col(joint) = places[i].axis.cross(way);  // which turns with the first link
       }
     }
     if (closure.is_rod()) {
       result.row(row) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
       if (closure.length_joint >= 0) result(row, closure.length_joint) -= 1;
       ++row;
+    } else if (closure.line) {
+      result.middleRows(row, 2) = across_line(mechanism, closure, at) * (by - of_line);
+      row += 2;
     } else {
       result.middleRows(row, 3) = by;
       row += 3;
     }
+    if (!closure.is_rigid) continue;
+    result.middleRows(row, 3) = spin;
+    row += 3;
   }
   for (const Gear& gear : mechanism.gears) {
     result(row, gear.joint) = 1;
@@ -256,14 +329,17 @@ VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd
   const double step = 1e-5;
   const MatrixXd rate =
       (gap_jacobian(mechanism, q + step * qd) - gap_jacobian(mechanism, q - step * qd)) / (2 * step);
-  const Eigen::Index rows = jacobian.rows();
+  // Loops may hold the same twice: the directions of their gaps in which they hold anything are equations.
+  const SingularValues parts = singular_values(jacobian);
+  const Eigen::Index rows = (parts.values.array() > 1e-9 * parts.values[0]).count();
+  const MatrixXd equations = parts.u.leftCols(rows).transpose() * jacobian;
   MatrixXd whole = MatrixXd::Zero(n + rows, n + rows);
   whole.topLeftCorner(n, n) = mass_matrix(chain, q);
-  whole.topRightCorner(n, rows) = jacobian.transpose();
-  whole.bottomLeftCorner(rows, n) = jacobian;
+  whole.topRightCorner(n, rows) = equations.transpose();
+  whole.bottomLeftCorner(rows, n) = equations;
   VectorXd right(n + rows);
   right.head(n) = forces - inverse_dynamics(chain, q, qd, VectorXd::Zero(n));
-  right.tail(rows) = -rate * qd;
+  right.tail(rows) = -(parts.u.leftCols(rows).transpose() * (rate * qd));
   return least_squares(whole, right).head(n);
 }
 

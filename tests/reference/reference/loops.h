@@ -12,12 +12,16 @@
 /// closed, by multipliers. Nothing is solved for joints here but by Newton's steps.
 namespace reference {
 
-/// Two points of links: together, or a length apart.
+/// Two points of links: together, or a length apart. Of a weld and a slide the links themselves are together,
+/// but for the way along the slide's line.
 struct Closure {
   std::array<Eigen::Index, 2> links{-1, -1};  ///< joints that move them, -1: the base
   std::array<Vector3d, 2> points{};           ///< in the links' frames
   double length = 0;                          ///< of a rod; 0: the points are one
   Eigen::Index length_joint = -1;             ///< slide whose value is the length of a rod, -1: none
+  bool is_rigid = false;                      ///< a weld or a slide
+  Eigen::Matrix3d turn;                       ///< of such: the second link as seen from the first
+  std::optional<Vector3d> line = {};          ///< of a slide, in the first link's frame
   [[nodiscard]] bool is_rod() const { return length > 0 || length_joint >= 0; }
 };
 
@@ -39,12 +43,14 @@ struct LoopMechanism {
 
 LoopMechanism load_loops(const std::filesystem::path& file, const Values& values = {});
 
-/// Three gaps for points that are one, m; for a rod how much longer it is than it should be; at the end one
-/// for each joint that follows others.
+/// Three gaps for points that are one, m (two across the line of a slide), and a rotation vector for links
+/// that are, in the world's frame; for a rod how much longer it is than it should be; at the end one for each
+/// joint that follows others.
 VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Puts joints that follow others where those are.
 VectorXd followed(const LoopMechanism& mechanism, VectorXd q);
-/// Derivatives of the gaps by all joints, by cross products.
+/// Derivatives of the gaps by all joints, by cross products; that of a rotation vector is the angular
+/// velocity.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
 /// A pose, in the world's frame, that a frame has to be in.
