@@ -19,6 +19,9 @@ constexpr double beside_start = 0.2;
 /// Joints that add no more than this share are nearly idle.
 constexpr double nearly_idle = 1e-3;
 
+/// A row so near to where another is expected is that one.
+constexpr double known_row = 1e-2;
+
 /// Places that walks have come by.
 struct Explored {
   static constexpr int most_places = 800;
@@ -47,7 +50,10 @@ void Careful::search_valleys() {
   const auto search = [&](const Values& start) {
     ValleyWalk::Floor floor;
     if (!walk.begin(start, floor) || explored.has(floor.values)) return;
-    if (!lonely) return walk.look_beside(floor, leads);
+    if (!lonely)
+      return walk.look_beside(floor, [&](const Values& values) {
+        if (!has_row_near(values, known_row)) leads(values);
+      });
     passes(floor);
     const bool closes = walk.follow(floor, 1, farthest, passes, leads);
     walk.follow(floor, -1, closes ? beside_start : farthest, passes, leads);

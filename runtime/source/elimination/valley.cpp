@@ -11,7 +11,7 @@ bool ValleyWalk::begin(const Values& start, Floor& floor) const {
   Held<joints> held{};
   held[idle.least] = true;
   floor.lead = idle.least;
-  polish(task_, {0, 1}, floor.values, floor.at, budget_, held);
+  if (!is_nothing(floor.at)) polish(task_, {0, 1}, floor.values, floor.at, budget_, held);
   return floor.at.error < highest * highest * task_.size_square && look(1, floor);
 }
 

@@ -40,7 +40,7 @@ class ValleyWalk {
   static constexpr double nearest = 5e-3;    ///< likewise, from a solution
   static constexpr double shortest = 0.012;  ///< likewise
   static constexpr double highest = 1e-2;    ///< miss, as a share of the size: no valley any more
-  static constexpr double shallow = 0.01;    ///< what an idle joint adds to the others, as a share
+  static constexpr double shallow = 0.003;   ///< what an idle joint adds to the others, as a share
   static constexpr double rounding = 1e-14;  ///< misses that have no sign, as shares of the size
 
   [[nodiscard]] bool look(double direction, Floor& floor) const;
