@@ -19,9 +19,6 @@ constexpr double beside_start = 0.2;
 /// Joints that add no more than this share are nearly idle.
 constexpr double nearly_idle = 1e-3;
 
-/// A row so near to where another is expected is that one.
-constexpr double known_row = 1e-2;
-
 /// Places that walks have come by.
 struct Explored {
   static constexpr int most_places = 800;
@@ -39,29 +36,25 @@ struct Explored {
 
 }  // namespace
 
-/// Walks along the valleys in which rows and strays are; what is found on the way becomes a row. Where no
-/// stray is alone none is walked along; but beside a row there may be another, too far off for steps to see.
+/// Where a stray is alone, walks along the valleys in which rows and strays are; what is found on the way
+/// becomes a row.
 void Careful::search_valleys() {
   const ValleyWalk walk(task_, valleys_);
   Explored explored;
-  const bool lonely = has_lonely_stray();
+  if (!has_lonely_stray()) return;
   const auto passes = [&](const ValleyWalk::Floor& floor) { explored.add(floor.values); };
   const auto leads = [&](const Values& values) { settle(pairs_of(values)); };
   const auto search = [&](const Values& start) {
     ValleyWalk::Floor floor;
     if (!walk.begin(start, floor) || explored.has(floor.values)) return;
-    if (!lonely)
-      return walk.look_beside(floor, [&](const Values& values) {
-        if (!has_row_near(values, known_row)) leads(values);
-      });
     passes(floor);
     const bool closes = walk.follow(floor, 1, farthest, passes, leads);
     walk.follow(floor, -1, closes ? beside_start : farthest, passes, leads);
   };
   const int rows = size_, strays = stray_count_;
   for (int k = 0; k < rows; ++k)
-    if (!rows_[k].continuum && (lonely || !is_singular(rows_[k]))) search(Values(rows_[k].values));
-  for (int k = 0; lonely && k < strays; ++k) search(Values(stray_[k]));
+    if (!rows_[k].continuum) search(Values(rows_[k].values));
+  for (int k = 0; k < strays; ++k) search(Values(stray_[k]));
   for (int k = 0; k < stray_count_; ++k) is_searched_[k] = explored.has(stray_[k]);
   merge();
 }

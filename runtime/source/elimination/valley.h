@@ -31,10 +31,6 @@ class ValleyWalk {
   bool follow(const Floor& start, double direction, double farthest, const Passes& passes,
               const Leads& leads) const;
 
-  /// Looks for a second solution near one, by the parabola of the signed miss.
-  template <class Leads>
-  void look_beside(const Floor& solution, const Leads& leads) const;
-
  private:
   static constexpr double longest = 0.1;     ///< rad, or a share of the size
   static constexpr double nearest = 5e-3;    ///< likewise, from a solution
@@ -92,15 +88,6 @@ void ValleyWalk::locate(const Floor& from, double low, double low_miss, double h
     }
   }
   leads(place.values);
-}
-
-template <class Leads>
-void ValleyWalk::look_beside(const Floor& solution, const Leads& leads) const {
-  Floor ahead, behind;
-  if (!go(nearest, solution, ahead) || !go(-nearest, solution, behind)) return;
-  const double high = std::sqrt(ahead.at.error), low = signed_miss(behind.at, ahead.at);
-  const double slope = (high - low) / (2 * nearest), curve = (high + low) / (2 * nearest * nearest);
-  if (std::abs(slope) < longest * std::abs(curve) && go(-slope / curve, solution, ahead)) leads(ahead.values);
 }
 
 /// Looks at the least miss among three places of one sign.
