@@ -13,7 +13,7 @@ namespace {
 constexpr double same_place = 0.12 * 0.12;
 /// A walk goes on so far, rad or share of the size: few valleys need more than two turns of two joints.
 constexpr double farthest = 25;
-/// Where it has closed, it has come by all but what is this near to its beginning, on the other side.
+/// Part of a closed walk that is left to be walked, on the other side of its beginning.
 constexpr double beside_start = 0.2;
 
 /// Joints that add no more than this share are nearly idle.
@@ -36,7 +36,7 @@ struct Explored {
 
 }  // namespace
 
-/// Where a stray is alone, walks along the valleys in which rows and strays are; what is found on the way
+/// Walks along the valleys in which rows and strays are, if a stray is alone; what is found on the way
 /// becomes a row.
 void Careful::search_valleys() {
   const ValleyWalk walk(task_, valleys_);
