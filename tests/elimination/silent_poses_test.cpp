@@ -89,8 +89,9 @@ TEST_P(SilentPoses, NextToALattice) {
     return std::optional(next_to_a_lattice(GetParam(), random, i));
   });
   // Few of these are told, but for arms that slide and for one that is free in several ways at once.
-  if (GetParam().name.rfind("along_axes", 0) != 0 && GetParam().name != "in_line")
+  if (GetParam().name.rfind("along_axes", 0) != 0 && GetParam().name != "in_line") {
     EXPECT_LE(count.told, 0.08 * count.poses);
+  }
 }
 TEST_P(SilentPoses, WithRightAngles) {
   expect_none("right angles", [this](Random& random, int i) {
