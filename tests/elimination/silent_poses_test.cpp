@@ -59,7 +59,7 @@ class SilentPoses : public testing::TestWithParam<Arm> {
  protected:
   /// `draw(random, i)`: joints, or none.
   template <class Draw>
-  void expect_none(const char* name, const Draw& draw) {
+  Count expect_none(const char* name, const Draw& draw) {
     const Arm& arm = GetParam();
     const auto setup = inverse::elimination::set_up(arm.description());
     Random random(41);
@@ -76,6 +76,7 @@ class SilentPoses : public testing::TestWithParam<Arm> {
     std::printf("%s, %s: of %d poses %d are told to be incomplete, %d lack the sampled joints silently\n",
                 arm.name.c_str(), name, count.poses, count.told, count.silent);
     EXPECT_LE(count.silent, count.poses / 2000);
+    return count;
   }
 };
 
@@ -84,9 +85,13 @@ TEST_P(SilentPoses, OnALattice) {
               [this](Random& random, int i) { return std::optional(on_a_lattice(GetParam(), random, i)); });
 }
 TEST_P(SilentPoses, NextToALattice) {
-  expect_none("next to a lattice", [this](Random& random, int i) {
+  const Count count = expect_none("next to a lattice", [this](Random& random, int i) {
     return std::optional(next_to_a_lattice(GetParam(), random, i));
   });
+  // Few of these are told, but for arms that slide and for one that is free in several ways at once.
+  if (GetParam().name.rfind("along_axes", 0) != 0 && GetParam().name != "in_line") {
+    EXPECT_LE(count.told, 0.08 * count.poses);
+  }
 }
 TEST_P(SilentPoses, WithRightAngles) {
   expect_none("right angles", [this](Random& random, int i) {

@@ -285,7 +285,7 @@ void Careful::run(const Gathered& first) {
   }
   look_along_crossings();
   const Effort& spent = tracker_.budget().spent;
-  effort_.steps = spent.steps + walks_.spent.steps;
+  effort_.steps = spent.steps + walks_.spent.steps + valleys_.spent.steps;
   // Regular rows of that number are all that there can be.
   effort_.used_up = effort_.used_up || spent.used_up || (full_ && any_is_singular());
 }

@@ -63,7 +63,7 @@ class Careful {
 
  private:
   static constexpr int most_starts = 192;
-  static constexpr Budget most = {8, 600}, most_of_slides = {8, 1200};
+  static constexpr Budget most = {8, 6000}, most_of_slides = {8, 1200};
   using Tracker = BranchTracker<double, joints, most_starts>;
 
   struct Agreement;
@@ -114,6 +114,8 @@ class Careful {
   void add_stray(const Values& values);
   [[nodiscard]] bool is_next_to_continuum(const Values& values);
   [[nodiscard]] bool has_row_near(const Values& values, double near) const;
+  void search_valleys();
+  [[nodiscard]] bool any_is_on_plain() const;
   [[nodiscard]] bool has_lonely_stray() const;
   [[nodiscard]] bool any_is_on_continuum() const;
 
@@ -126,9 +128,10 @@ class Careful {
   bool seeded_;
   const Pass& pass_;
   Tracker tracker_;
-  Budget walks_{0, 1000};  ///< steps along continua
-  int eliminations_ = 1;   ///< that have been asked for
-  int further_ = 0;        ///< of the choices that were to be set up
+  Budget walks_{0, 10000};    ///< steps along continua
+  Budget valleys_{0, 20000};  ///< steps along the floors of valleys
+  int eliminations_ = 1;      ///< that have been asked for
+  int further_ = 0;           ///< of the choices that were to be set up
   Elimination set_up_here_;
   int starts_ = 0;
   int size_ = 0;
@@ -136,9 +139,10 @@ class Careful {
   Effort effort_;
   static constexpr int most_strays = 8;
   int stray_count_ = 0;
-  Values stray_[most_strays];  ///< starts that have ended short of the pose, next to a continuum
-  bool full_ = false;          ///< there was a start, but no room
-  bool strays_ = false;        ///< some start nearly reached the pose, but no steps led on
+  Values stray_[most_strays];           ///< starts that have ended short of the pose, next to a continuum
+  bool is_searched_[most_strays] = {};  ///< a walk has come by
+  bool full_ = false;                   ///< there was a start, but no room
+  bool strays_ = false;                 ///< some start nearly reached the pose, but no steps led on
   bool unsure_ = false;
 };
 

@@ -107,6 +107,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     all.look_nearby();
     all.agreed = all.few ? !all.more_nearby : all.agreed || !all.more_nearby;
   }
+  search_valleys();
   // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
   // must have been three.
   unsure_ = has_lonely_stray() || !all.agreed || all.all_loud || !all.is_clear() || !is_even() ||

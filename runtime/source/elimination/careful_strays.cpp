@@ -88,8 +88,10 @@ bool Careful::is_next_to_continuum(const Values& values) {
 
 /// True if there is a valley for which no row stands in the end: it may have a solution.
 bool Careful::has_lonely_stray() const {
-  return std::any_of(stray_, stray_ + stray_count_,
-                     [this](const Values& stray) { return !has_row_near(stray, near_row); });
+  const bool trusts_walks = !any_is_on_plain();
+  for (int k = 0; k < stray_count_; ++k)
+    if (!(trusts_walks && is_searched_[k]) && !has_row_near(stray_[k], near_row)) return true;
+  return false;
 }
 
 bool Careful::any_is_on_continuum() const {
