@@ -44,7 +44,7 @@ class ValleyWalk {
   [[nodiscard]] double unit(std::size_t joint) const {
     return task_.arm[joint].revolute ? 1 : std::sqrt(task_.size_square);
   }
-  static double product(const At& a, const At& b) { return polishing::dot(a.off, b.off); }
+  static double product(const At& a, const At& b) { return sum_of_products(a.off, b.off); }
   [[nodiscard]] bool is_nothing(const At& at) const {
     return at.error < rounding * rounding * task_.size_square;
   }
