@@ -28,6 +28,7 @@ class Field {
   /// Returns a square root of an integer.
   static Field square_root(std::uint64_t value);
 
+  [[nodiscard]] bool is_zero() const { return (bits_ | along_) == 0; }
   [[nodiscard]] Field power(std::uint64_t exponent) const;
   /// Returns the reciprocal, and zero for zero.
   [[nodiscard]] Field inverse() const;
