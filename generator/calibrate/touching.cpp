@@ -36,10 +36,23 @@ bool turns_alone(const Geometry<Field>& geometry, std::size_t joint) {
                      [&](const VariableShare& share) { return !moves_others(share.variable); });
 }
 
+/// Returns a root of a value beside the prime field, from its norm and trace.
+std::optional<Field> root_from_norm(Field value, Field conjugate) {
+  const Field half = Field::from(2).inverse();
+  const auto norm = square_root(value * conjugate);
+  if (!norm) return std::nullopt;
+  for (const Field sign : {*norm, -*norm})
+    if (const auto x = square_root(((value + conjugate) * half + sign) * half))
+      return *x + (value - conjugate) * half * half * x->inverse();
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Field> square_root(Field value) {
   if (value.is_zero()) return value;
+  if (const Field conjugate = value.power(Field::prime); !(conjugate == value))
+    return root_from_norm(value, conjugate);
   constexpr std::uint64_t minus_one = Field::prime - 1;
   const Field one = Field::from(1);
   if (!(value.power(minus_one / 2) == one)) return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "description/reader.h"
 #include "optimise/dynamics.h"
+#include "optimise/dynamics_derivatives.h"
 #include "passes/search/random.h"
 #include "verify/certificate.h"
 
@@ -84,6 +85,33 @@ TEST(Dynamics, RandomRobotsPassTheirCertificates) {
       for (const DynamicsQuantity& quantity : all_quantities())
         EXPECT_NO_THROW(generate_dynamics(model, quantity, little)) << quantity.name << "\n" << text;
     }
+}
+
+/// A rational unit vector, the third column of a random quaternion's matrix.
+std::string random_axis(Random& random) {
+  const auto any = [&] { return static_cast<int>(random.below(9)) - 4; };
+  const int a = any(), b = any(), c = any(), d = any();
+  const int norm = a * a + b * b + c * c + d * d;
+  if (norm == 0) return random_axis(random);
+  const auto part = [&](int number) {
+    return "\"" + std::to_string(number) + "/" + std::to_string(norm) + "\"";
+  };
+  return "[" + part(2 * (b * d + a * c)) + ", " + part(2 * (c * d - a * b)) + ", " +
+         part(a * a - b * b - c * c + d * d) + "]";
+}
+
+/// Sines of angles between such axes are square roots of any numbers. Derivatives have two forms, which the
+/// search holds against each other before the certificate does.
+TEST(Dynamics, DerivativesOfArmsWithAnyAxesPassTheirCertificates) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    Axes axes;
+    for (int i = 0; i < 6; ++i) axes.push_back(random_axis(random));
+    const std::string text = random_robot(seed, "RRR", axes);
+    const DynamicsModel model = model_of(text);
+    const Optimised forces = generate_dynamics(model, quantity("inverse_dynamics"), little);
+    EXPECT_NO_THROW(inverse_dynamics_derivatives(model, forces, little)) << text;
+  }
 }
 
 /// Two axes at any angle meet in z x z: nothing stands between two links, and no offset is left sideways.

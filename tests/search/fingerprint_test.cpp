@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "passes/search/fingerprint.h"
 
-#include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "passes/search/random.h"
 
 namespace qvgen::passes::search_detail {
 namespace {
@@ -67,11 +69,49 @@ TEST(Fingerprint, AgreesWithTheSquareRootsOfKnownAngles) {
   EXPECT_EQ(point.circular(angle(0, 1, 1, 12)).cosine, point.number((root(6) + root(2)) * half * half));
 }
 
-TEST(Fingerprint, SquareRootsSquareToTheirRadicand) {
+/// Roots of any integers multiply as exact numbers do: primes that the field's roots of unity know, any
+/// others, squares in the prime field (43, 53) or not (41, 65537), and products of long primes.
+TEST(Fingerprint, SquareRootsMultiplyAsTheyShould) {
   Fingerprint point(5);
-  for (const long prime : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37}) {
-    const Field value = point.number(root(prime));
-    EXPECT_EQ(value * value, Field::from(static_cast<std::uint64_t>(prime))) << prime;
+  const std::vector<long> radicands{2,
+                                    3,
+                                    5,
+                                    7,
+                                    11,
+                                    13,
+                                    17,
+                                    19,
+                                    23,
+                                    29,
+                                    31,
+                                    37,
+                                    41,
+                                    43,
+                                    53,
+                                    901,
+                                    2 * 3 * 41,
+                                    65537,
+                                    65537L * 65539L,
+                                    65539L * 1048583L};
+  for (const long a : radicands)
+    for (const long b : radicands)
+      EXPECT_EQ(point.number(root(a)) * point.number(root(b)), point.number(root(a) * root(b)))
+          << a << " " << b;
+}
+
+TEST(Fingerprint, RandomNumbersOfManyRootsKeepTheirLaws) {
+  Random random(3);
+  Fingerprint point(5);
+  const auto any = [&] {
+    exact::Number sum(static_cast<long>(random.below(100)));
+    for (int i = 0; i < 2; ++i) sum = sum + root(2 + random.below(100'000)) * exact::Number(3);
+    return sum;
+  };
+  for (int i = 0; i < 100; ++i) {
+    const exact::Number a = any(), b = any();
+    EXPECT_EQ(point.number(a) * point.number(b), point.number(a * b));
+    EXPECT_EQ(point.number(a).inverse(), point.number(a.inverse()));
+    EXPECT_EQ(point.number(a) - point.number(b), point.number(a - b));
   }
 }
 

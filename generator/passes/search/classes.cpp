@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t none = ~0U;
 
-bool is_canonical(Field value) { return value.bits() <= (-value).bits(); }
+bool is_canonical(Field value) { return value <= -value; }
 
 Field canonical(Field value) { return is_canonical(value) ? value : -value; }
 
@@ -24,23 +24,23 @@ Classes::Classes() : table_(1024, none) {
   leaf(number(1), Field::from(1), true);
 }
 
-std::size_t Classes::slot(std::uint64_t key) const {
+std::size_t Classes::slot(Field key) const {
   const std::size_t mask = table_.size() - 1;
-  std::size_t place = mix(key) & mask;
-  while (table_[place] != none && classes_[table_[place]].value.bits() != key) place = (place + 1) & mask;
+  std::size_t place = mix(key.bits()) & mask;
+  while (table_[place] != none && classes_[table_[place]].value != key) place = (place + 1) & mask;
   return place;
 }
 
 std::optional<Ref> Classes::find(Field value) const {
   const Field key = canonical(value);
-  const std::uint32_t id = table_[slot(key.bits())];
+  const std::uint32_t id = table_[slot(key)];
   if (id == none) return std::nullopt;
   return Ref{id, key != value};
 }
 
 Ref Classes::intern(Field value) {
   const Field key = canonical(value);
-  const std::size_t place = slot(key.bits());
+  const std::size_t place = slot(key);
   if (table_[place] != none) return {table_[place], key != value};
   const std::uint32_t id = size();
   table_[place] = id;
@@ -51,7 +51,7 @@ Ref Classes::intern(Field value) {
 
 void Classes::grow() {
   table_.assign(table_.size() * 2, none);
-  for (std::uint32_t id = 0; id < size(); ++id) table_[slot(classes_[id].value.bits())] = id;
+  for (std::uint32_t id = 0; id < size(); ++id) table_[slot(classes_[id].value)] = id;
 }
 
 Ref Classes::leaf(Leaf leaf, Field value, bool free) {

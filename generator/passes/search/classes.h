@@ -41,7 +41,7 @@ struct Leaf {
   bool negative = false;  ///< the class is minus the leaf
 };
 
-/// All subexpressions with the same value up to sign (at a random point of a large prime field), with every
+/// All subexpressions with the same value up to sign (at a random point of a large field), with every
 /// known way to compute that value. Classes 0 and 1 are the numbers 0 and 1. Classes are numbered in order of
 /// creation, which depends on the inputs alone.
 struct EClass {
@@ -76,7 +76,7 @@ class Classes {
   Ref intern(Field value);
   Ref define(Field value, ENode node);
   void grow();
-  [[nodiscard]] std::size_t slot(std::uint64_t key) const;
+  [[nodiscard]] std::size_t slot(Field key) const;
 
   std::vector<EClass> classes_;
   std::vector<std::uint32_t> table_;  ///< open addressing over the canonical of value, -value; empty = none

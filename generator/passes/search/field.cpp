@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/search/field.h"
 
+#include <utility>
+
 namespace qvgen::passes::search_detail {
 
 Field Field::from(std::uint64_t value) {
@@ -8,9 +10,27 @@ Field Field::from(std::uint64_t value) {
   return raw(reduce(static_cast<Wide>(value % prime) * static_cast<std::uint64_t>(square)));
 }
 
-Field Field::root_of_unity() {
-  constexpr std::uint64_t generator = 82;  // of the whole multiplicative group
-  return from(generator).power((prime - 1) / order);
+Field Field::root_of_unity() { return from(generator).power((prime - 1) / order); }
+
+/// As Tonelli and Shanks do: the odd part of a square is an even power of a root of unity z of order 2^6. Of
+/// what is no square the 82nd part is one.
+Field Field::square_root(std::uint64_t value) {
+  constexpr std::uint64_t twos = 64, odd = (prime - 1) / twos;
+  static_assert(odd % 2 == 1);
+  const Field z = from(generator).power(odd), w = raw(0, from(1).bits_);
+  for (const auto& [square, factor] :
+       {std::pair(from(value), from(1)), std::pair(from(value) * from(generator).inverse(), w)}) {
+    const Field part = square.power(odd);
+    for (std::uint64_t k = 0; k < twos / 2; ++k)
+      if (z.power(2 * k) == part) return factor * square.power((odd + 1) / 2) * z.power(twos - k);
+  }
+  return {};
+}
+
+Field Field::inverse() const {
+  if (along_ == 0) return power(prime - 2);
+  const Field norm = *this * raw(bits_, subtract(0, along_));
+  return raw(bits_, subtract(0, along_)) * norm.inverse();
 }
 
 Field Field::power(std::uint64_t exponent) const {

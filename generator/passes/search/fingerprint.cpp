@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "passes/search/fingerprint.h"
 
+#include <optional>
+
 #include <cln/integer.h>
+#include <cln/numtheory.h>
 #include <cln/rational.h>
 
 #include "passes/search/random.h"
@@ -25,6 +28,21 @@ int legendre(unsigned long a, unsigned long p) {
   return result == 0 ? 0 : result == 1 ? 1 : -1;
 }
 
+/// Returns a factor of a number that is no prime (Pollard's rho), or nothing if its factors are long.
+std::optional<cln::cl_I> factor_of(const cln::cl_I& number) {
+  constexpr int most_steps = 1 << 14;
+  const auto next = [&](const cln::cl_I& x) { return cln::mod(cln::square(x) + 1, number); };
+  cln::cl_I slow = 2, fast = 2;
+  for (int step = 0; step < most_steps; ++step) {
+    slow = next(slow);
+    fast = next(next(fast));
+    const cln::cl_I common = cln::gcd(fast - slow, number);
+    if (common == number) break;
+    if (common != 1) return common;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Fingerprint::Fingerprint(std::uint64_t seed)
@@ -42,7 +60,7 @@ Field Fingerprint::number(const exact::Number& value) {
   return result;
 }
 
-/// Returns a root in the field. The rest of a long radicand, without its small factors, counts as a prime.
+/// Returns a root in the field: the product of those of the radicand's primes.
 Field Fingerprint::root(const cln::cl_I& radicand) {
   const auto known = roots_.find(radicand);
   if (known != roots_.end()) return known->second;
@@ -51,20 +69,26 @@ Field Fingerprint::root(const cln::cl_I& radicand) {
   cln::cl_I rest = radicand;
   for (unsigned long p = 2; p < largest_trial && cln::square(cln::cl_I(p)) <= rest; ++p)
     for (; cln::zerop(cln::mod(rest, p)); rest = cln::exquo(rest, p)) result = result * prime_root(p);
-  if (rest > 1) {
-    const bool is_short = cln::integer_length(rest) <= 63;
-    result = result * (is_short ? prime_root(cln::cl_I_to_ulong(rest))
-                                : opaque("root", Field::from(modulo(rest, Field::prime)), {}));
-  }
-  return roots_[radicand] = result;
+  return roots_[radicand] = result * root_without_small_factors(rest);
+}
+
+/// A product of primes that are too long to be found gets a value without the law root^2 = radicand:
+/// equalities may be missed, never invented.
+Field Fingerprint::root_without_small_factors(const cln::cl_I& radicand) const {
+  if (radicand == 1) return Field::from(1);
+  if (cln::isprobprime(radicand)) return prime_root(radicand);
+  if (const auto factor = factor_of(radicand))
+    return root_without_small_factors(*factor) * root_without_small_factors(cln::exquo(radicand, *factor));
+  return opaque("root", Field::from(modulo(radicand, Field::prime)), {});
 }
 
 /// sqrt(2) = 2 cos(pi/4); for odd p dividing the order the Gauss sum of the p-th roots of unity is sqrt(p),
-/// or i sqrt(p) for p = 3 mod 4. Other primes get a value without the law sqrt(p)^2 = p: equalities may be
-/// missed, never invented.
-Field Fingerprint::prime_root(unsigned long prime) const {
+/// or i sqrt(p) for p = 3 mod 4. No angle says the sign of other primes' roots: any will do.
+Field Fingerprint::prime_root(const cln::cl_I& number) const {
+  if (number > static_cast<unsigned long>(Field::order) || Field::order % cln::cl_I_to_ulong(number) != 0)
+    return Field::square_root(modulo(number, Field::prime));
+  const unsigned long prime = cln::cl_I_to_ulong(number);
   if (prime == 2) return unity_.power(Field::order / 8) + unity_.power(Field::order / 8).inverse();
-  if (Field::order % prime != 0) return opaque("root", Field::from(prime), {});
   const Field step = unity_.power(Field::order / prime);
   Field sum;
   Field power = step;

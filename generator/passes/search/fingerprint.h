@@ -20,7 +20,7 @@ struct CosineSine {
 ///
 /// A symbol takes a value from its name and the seed. In sines and cosines, exp(i symbol / N) is a unit of
 /// its own and exp(i pi r) a root of unity, so c^2 + s^2 = 1, double angles, angle sums and cos(pi/4) =
-/// sqrt(2)/2 hold by themselves.
+/// sqrt(2)/2 hold by themselves. Square roots of integers square to them.
 class Fingerprint {
  public:
   explicit Fingerprint(std::uint64_t seed);
@@ -33,7 +33,8 @@ class Fingerprint {
 
  private:
   Field root(const cln::cl_I& radicand);
-  Field prime_root(unsigned long prime) const;
+  Field root_without_small_factors(const cln::cl_I& radicand) const;
+  Field prime_root(const cln::cl_I& number) const;
 
   std::uint64_t seed_;
   Field unity_, imaginary_, half_;
