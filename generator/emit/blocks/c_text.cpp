@@ -164,6 +164,8 @@ class Writer {
         const std::string inner = operand(of_sign);
         return {"-" + (inner[0] == '-' ? "(" + inner + ")" : inner), of_sign};
       }
+      case Kind::cast:
+        return {"(" + type_text(e.type) + ")" + operand(of_sign), of_sign};
       case Kind::is_not:
         return {"!" + operand(of_sign), of_sign};
       case Kind::dereference:

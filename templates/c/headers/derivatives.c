@@ -118,11 +118,21 @@ static void reached_pose(const PointMatching* task, const JointValues* values, R
   set_miss(task, &frame, place, size, result);
 }
 
-static Reached reached_place(const PointMatching* task, const JointValues* values) {
-  Reached result;
+/// Puts what joints that are not held do to a place into the first rows of columns.
+static void put_motions(int joints, int coordinates, const Motions* motions, const Held* held, Columns* columns) {
+  for (int i = 0; i < most_joints; ++i) {  // GCC 12 does not see that there are no more
+    if (i >= joints || held->of[i]) continue;
+    if (coordinates == most_coordinates)
+      memcpy(columns->of[i].of, motions->of[i].of, sizeof motions->of[i].of);
+    else
+      memcpy(columns->of[i].of, motions->of[i].of, (size_t)coordinates * sizeof(double));
+  }
+}
+
+/// Puts the place that joint values reach.
+static void reach(const PointMatching* task, const JointValues* values, Reached* place) {
   if (task->points == 1)
-    reached_position(task, values, &result);
+    reached_position(task, values, place);
   else
-    reached_pose(task, values, &result);
-  return result;
+    reached_pose(task, values, place);
 }

@@ -1,5 +1,8 @@
 // Sums and products of columns in the order of pairs.h, where two numbers share a register.
 
+/// Numbers that say where a pose is, as a position and a turn.
+enum { most_coordinates = 6 };
+
 /// Numbers of a column: as many as its least squares have rows.
 typedef struct Vector {
   double of[most_rows];

@@ -38,7 +38,7 @@ static bool leave_double_root(const PointMatching* task, Patience until, const K
     Reached there;
     move_along(task, &there_at, idle.least, (double)side * aside, &beside);
     if (!may_step(budget)) return found;
-    there = reached_place(task, &beside);
+    reach(task, &beside, &there);
     if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held))
       continue;
     *values = beside;
@@ -136,7 +136,8 @@ static bool lead_to_goal(Tracker* tracker, Patience until, const PointMatching* 
   JointValues beside = start;
   if (!may_step(budget)) return true;
   normalise(task, &beside);
-  Reached there = reached_place(task, &beside);
+  Reached there;
+  reach(task, &beside, &there);
   if (leave_double_root(task, until, &tracker->known, &beside, &there, budget) &&
       !is_known(&tracker->known, task->joints, &beside)) {
     *values = beside;
@@ -210,7 +211,8 @@ static SeedTracker new_seed_tracker(void) {
 static bool moves_without_idle(SeedTracker* tracker, const PointMatching* task, Patience until,
                                JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;
-  Reached at = reached_place(task, values);
+  Reached at;
+  reach(task, values, &at);
   const Dependent idle = idle_joints(task->joints, task->points, &at);
   return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.is);
 }

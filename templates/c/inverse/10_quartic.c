@@ -121,7 +121,7 @@ static double displaced(const Pose* pose, double size, int k, Pose* moved) {
                                   constant_root_of_17};
   double by[7];
   for (int i = 0; i < 7; ++i) {
-    const double multiple = (k + 1) * roots[i];
+    const double multiple = (double)(k + 1) * roots[i];
     by[i] = tolerance_nearby * (2 * (multiple - floor(multiple)) - 1);
   }
   const Quaternion turn = {{1, by[3], by[4], by[5]}};

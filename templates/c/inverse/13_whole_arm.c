@@ -183,7 +183,8 @@ static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const P
 /// free.
 static bool is_nearly_free(const PointMatching* task, const JointValues* seed, double row_apart, Budget* budget) {
   if (!may_step(budget)) return false;
-  Reached at = reached_place(task, seed);
+  Reached at;
+  reach(task, seed, &at);
   return at.error < tolerance_least_miss * tolerance_least_miss * row_apart * task->size_square;
 }
 

@@ -59,7 +59,7 @@ static bool go_along_idle(Reaching* kept, int round, JointValues* values, Reache
   const Reached here = *at;
   move_along(task, &here, idle.least, without_turns(round * golden_angle), values);
   if (!may_step(&kept->budget)) return false;
-  *at = reached_place(task, values);
+  reach(task, values, at);
   return true;
 }
 
@@ -78,7 +78,8 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round,
   for (int i = 0; i < dof; ++i)
     values.of[i] = task->arm[i].revolute ? rotor(cos(q[i]), sin(q[i])) : rotor(q[i], 0);
   if (!may_step(&kept->budget)) return;
-  Reached at = reached_place(task, &values);
+  Reached at;
+  reach(task, &values, &at);
   JointValues* start = &kept->starts[from->branch % kept->capacity];
   const bool next_to_continuum =
       from->continuum && round > 0 && distance_square(task->joints, start, &values) < same * same;

@@ -17,6 +17,8 @@ bool is_truth(const Expression& e) { return e.type->kind == Type::Kind::boolean;
 bool is_rotor(const Expression& e) {
   return e.type->kind == Type::Kind::structure && e.type->name == "Rotor";
 }
+bool is_whole(const Expression& e) { return e.type->kind == Type::Kind::integer; }
+bool is_real(const Expression& e) { return e.type->kind == Type::Kind::real; }
 bool is_place(const Expression& e) {
   return e.kind == Kind::name || e.kind == Kind::member || e.kind == Kind::index;
 }
@@ -49,13 +51,16 @@ class HeaderParser : public Parser {
     return made(Kind::dereference, "", {std::move(result)}, type);
   }
 
-  /// Truth values have the operators of C's; products of rotors are calls.
+  /// Truth values have the operators of C's; products of rotors are calls. Whole numbers beside others become
+  /// such by a cast: float does not have all.
   [[nodiscard]] Expression combined(const std::string& sign, Expression left,
                                     Expression right) const override {
     static const std::map<std::string, std::string> of_truth{{"&", "&&"}, {"|", "||"}, {"^", "!="}};
     const auto truth = of_truth.find(sign);
     if (truth != of_truth.end() && is_truth(left) && is_truth(right))
       return Parser::combined(truth->second, std::move(left), std::move(right));
+    if (is_real(left) && is_whole(right)) right = as_real(std::move(right));
+    if (is_real(right) && is_whole(left)) left = as_real(std::move(left));
     if (sign != "*" || !is_rotor(right)) return Parser::combined(sign, std::move(left), std::move(right));
     const char* name = is_rotor(left) ? "product" : "scaled";
     const TypeRef type = right.type;
@@ -102,6 +107,11 @@ class HeaderParser : public Parser {
 
  private:
   using Sizes = std::map<std::string, Expression>;
+
+  [[nodiscard]] Expression as_real(Expression whole) const {
+    if (whole.kind == Kind::integer) return whole;
+    return made(Kind::cast, "", {std::move(whole)}, basic(Type::Kind::real));
+  }
 
   /// A size between the brackets of a type: a sum of what may be declared later.
   Expression size() {

@@ -12,6 +12,16 @@
 namespace qvgen::inverse {
 namespace polishing {
 
+/// Puts what joints that are not held do to a place into the first rows of columns.
+template <typename Scalar, std::size_t joints, std::size_t coordinates, std::size_t rows>
+void put_motions(const Motions<Scalar, joints, coordinates>& motions, const Held<joints>& held,
+                 Columns<Scalar, joints, rows>& columns) {
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (held[i]) continue;
+    for (std::size_t k = 0; k < coordinates; ++k) columns[i][k] = motions[i][k];
+  }
+}
+
 template <typename Scalar, std::size_t joints, std::size_t points>
 class Derivatives {
  public:
@@ -137,6 +147,13 @@ class Derivatives {
 };
 
 }  // namespace polishing
+
+/// Puts the place that joint values reach.
+template <typename Scalar, std::size_t joints, std::size_t points>
+void reach(const PointMatching<Scalar, joints, points>& task, const JointValues<Scalar, joints>& values,
+           Reached<Scalar, joints, points>& place) {
+  place = polishing::Derivatives<Scalar, joints, points>(task).reached(values);
+}
 
 /// Returns the place that joint values reach.
 template <typename Scalar, std::size_t joints, std::size_t points>

@@ -25,7 +25,7 @@ Scalar length_of_arc(const PointMatching<Scalar, joints, points>& task, std::siz
 template <typename Scalar, std::size_t joints, std::size_t points>
 void move_along(const PointMatching<Scalar, joints, points>& task, const Reached<Scalar, joints, points>& at,
                 std::size_t joint, const Scalar& by, JointValues<Scalar, joints>& values) {
-  const polishing::Vector<Scalar, joints> others = polishing::following(at, joint, by);
+  const polishing::Steps<Scalar, joints> others = polishing::following(at, joint, by);
   for (std::size_t i = 0; i < joints; ++i) advance(task, i, others[i], values);
 }
 

@@ -24,6 +24,13 @@ using Vector = std::array<Scalar, rows>;
 template <typename Scalar, std::size_t joints, std::size_t rows>
 using Columns = std::array<Vector<Scalar, rows>, joints>;
 
+/// Numbers that joints have, one each. C makes room for joints in them, not for rows.
+template <typename Scalar, std::size_t joints>
+using Steps = std::array<Scalar, joints>;
+
+template <typename Scalar, std::size_t joints>
+using Triangle = std::array<Steps<Scalar, joints>, joints>;
+
 /// Takes a column's direction out of v and returns how much of the column that was; `scale` is 1 / its
 /// square.
 template <typename Scalar, std::size_t rows>
@@ -37,12 +44,12 @@ Scalar take_out(const Vector<Scalar, rows>& column, const Scalar& scale, Vector<
 /// would lose what hardly moves. A column that adds less than `nothing`, as a share of the longest, is left
 /// out: a free joint stays. Uses up columns and b.
 template <typename Scalar, std::size_t joints, std::size_t rows>
-Vector<Scalar, joints> least_squares(Columns<Scalar, joints, rows>& a, Vector<Scalar, rows>& b,
-                                     const Scalar& nothing) {
+Steps<Scalar, joints> least_squares(Columns<Scalar, joints, rows>& a, Vector<Scalar, rows>& b,
+                                    const Scalar& nothing) {
   Scalar longest(0);
   for (std::size_t i = 0; i < joints; ++i) longest = larger(longest, sum_of_products(a[i], a[i]));
-  Columns<Scalar, joints, joints> r{};
-  Vector<Scalar, joints> x{};
+  Triangle<Scalar, joints> r{};
+  Steps<Scalar, joints> x{};
   for (std::size_t i = 0; i < joints; ++i) {
     const Scalar square = sum_of_products(a[i], a[i]);
     if (!(square > nothing * nothing * longest)) continue;
@@ -66,16 +73,16 @@ struct Dependent {
 
 /// Always takes the longest of what is left: of columns that depend on each other, one that has much to do
 /// with it is found. Exact numbers would allow any; but moving one with a share of a thousandth moves the
-/// others a thousandfold.
+/// others a thousandfold. Uses up the columns.
 template <typename Scalar, std::size_t joints, std::size_t rows>
-Dependent<Scalar, joints> dependent(Columns<Scalar, joints, rows> a, const Scalar& nothing) {
+Dependent<Scalar, joints> dependent(Columns<Scalar, joints, rows>& a, const Scalar& nothing) {
   Dependent<Scalar, joints> result;
   for (std::size_t i = 0; i < joints; ++i) result.is[i] = true;
   result.square = Scalar(0);
   Scalar limit(0);
   for (std::size_t taken = 0; taken < joints; ++taken) {
     std::size_t longest = joints;
-    Vector<Scalar, joints> square{};
+    Steps<Scalar, joints> square{};
     result.least = joints;
     for (std::size_t i = 0; i < joints; ++i) {
       if (!result.is[i]) continue;

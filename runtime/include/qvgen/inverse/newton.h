@@ -14,38 +14,35 @@ namespace polishing {
 
 /// Returns the least-squares step of J step = off, with some joints held. `nothing` as for `least_squares`.
 template <typename Scalar, std::size_t joints, std::size_t points>
-Vector<Scalar, joints> undamped_step(const Reached<Scalar, joints, points>& at,
-                                     const Vector<Scalar, rows_by_points(points)>& off, const Scalar& nothing,
-                                     const Held<joints>& held) {
-  const Vector<Scalar, rows_by_points(points)> none{};
-  Columns<Scalar, joints, rows_by_points(points)> jacobian = at.jacobian;
-  Vector<Scalar, rows_by_points(points)> left = off;
-  for (std::size_t i = 0; i < joints; ++i)
-    if (held[i]) jacobian[i] = none;
+Steps<Scalar, joints> undamped_step(const Reached<Scalar, joints, points>& at,
+                                    const Coordinates<Scalar, rows_by_points(points)>& off,
+                                    const Scalar& nothing, const Held<joints>& held) {
+  Columns<Scalar, joints, rows_by_points(points)> jacobian{};
+  Vector<Scalar, rows_by_points(points)> left;
+  for (std::size_t k = 0; k < rows_by_points(points); ++k) left[k] = off[k];
+  put_motions(at.jacobian, held, jacobian);
   return least_squares(jacobian, left, nothing);
 }
 
 /// Returns the same step with λ step = 0 beside it.
 template <typename Scalar, std::size_t joints, std::size_t points>
-Vector<Scalar, joints> damped_step(const Reached<Scalar, joints, points>& at, const Scalar& lambda,
-                                   const Scalar& nothing, const Held<joints>& held) {
+Steps<Scalar, joints> damped_step(const Reached<Scalar, joints, points>& at, const Scalar& lambda,
+                                  const Scalar& nothing, const Held<joints>& held) {
   Columns<Scalar, joints, rows_by_points(points) + joints> jacobian{};
   Vector<Scalar, rows_by_points(points) + joints> left{};
   for (std::size_t k = 0; k < rows_by_points(points); ++k) left[k] = at.off[k];
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (held[i]) continue;
-    for (std::size_t k = 0; k < rows_by_points(points); ++k) jacobian[i][k] = at.jacobian[i][k];
-    jacobian[i][rows_by_points(points) + i] = lambda;
-  }
+  put_motions(at.jacobian, held, jacobian);
+  for (std::size_t i = 0; i < joints; ++i)
+    if (!held[i]) jacobian[i][rows_by_points(points) + i] = lambda;
   return least_squares(jacobian, left, nothing);
 }
 
 /// Returns the least-squares step of J step = goal - reached and, far from the goal, λ step = 0, with some
 /// joints held.
 template <typename Scalar, std::size_t joints, std::size_t points>
-Vector<Scalar, joints> newton_step(const PointMatching<Scalar, joints, points>& task,
-                                   const Reached<Scalar, joints, points>& at, const Scalar& lambda,
-                                   const Scalar& nothing, const Held<joints>& held) {
+Steps<Scalar, joints> newton_step(const PointMatching<Scalar, joints, points>& task,
+                                  const Reached<Scalar, joints, points>& at, const Scalar& lambda,
+                                  const Scalar& nothing, const Held<joints>& held) {
   const bool near = at.error < Scalar(tolerance::undamped) * task.size_square;
   if (near) return undamped_step(at, at.off, nothing, held);
   return damped_step(at, lambda, nothing, held);
@@ -53,14 +50,14 @@ Vector<Scalar, joints> newton_step(const PointMatching<Scalar, joints, points>& 
 
 /// The step of all joints in which one goes so far and the others make up for what it does, to first order.
 template <typename Scalar, std::size_t joints, std::size_t points>
-Vector<Scalar, joints> following(const Reached<Scalar, joints, points>& at, std::size_t joint,
-                                 const Scalar& by) {
+Steps<Scalar, joints> following(const Reached<Scalar, joints, points>& at, std::size_t joint,
+                                const Scalar& by) {
   const Scalar next_to_nothing(tolerance::idle);
   Held<joints> held{};
   held[joint] = true;
-  Vector<Scalar, rows_by_points(points)> off{};
+  Coordinates<Scalar, rows_by_points(points)> off{};
   for (std::size_t k = 0; k < rows_by_points(points); ++k) off[k] = -by * at.jacobian[joint][k];
-  Vector<Scalar, joints> result = undamped_step(at, off, next_to_nothing, held);
+  Steps<Scalar, joints> result = undamped_step(at, off, next_to_nothing, held);
   result[joint] = by;
   return result;
 }
@@ -69,7 +66,10 @@ Vector<Scalar, joints> following(const Reached<Scalar, joints, points>& at, std:
 template <typename Scalar, std::size_t joints, std::size_t points>
 Dependent<Scalar, joints> idle_joints(const Reached<Scalar, joints, points>& at) {
   const Scalar next_to_nothing(tolerance::idle);
-  return dependent(at.jacobian, next_to_nothing);
+  const Held<joints> none{};
+  Columns<Scalar, joints, rows_by_points(points)> columns;
+  put_motions(at.jacobian, none, columns);
+  return dependent(columns, next_to_nothing);
 }
 
 }  // namespace polishing
@@ -123,7 +123,7 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
     best.error = task.size_square;  // far off
     return false;
   }
-  best = reached_place(task, values);
+  reach(task, values, best);
   JointValues<Scalar, joints> now = values;
   Reached<Scalar, joints, points> at = best;
   bool halves = false;
@@ -132,12 +132,12 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
        best.error > Scalar(tolerance::settled) * rounding && idle < patience.idle_steps && budget.step();) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
-    const polishing::Vector<Scalar, joints> by =
+    const polishing::Steps<Scalar, joints> by =
         polishing::newton_step(task, at, Scalar(Scalar(tolerance::damping) * sqrt(at.error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i)
       advance(task, i, halves ? Scalar(Scalar(2) * by[i]) : by[i], now);
     const Scalar before = at.error;
-    at = reached_place(task, now);
+    reach(task, now, at);
     // The square of a square: half the way to a double root leaves a sixteenth.
     halves = at.error > Scalar(tolerance::least_halved) * before &&
              at.error < Scalar(tolerance::most_halved) * before;

@@ -16,8 +16,7 @@ class Newton {
   explicit Newton(const PointMatching<Scalar, joints, points>& task) : task_(task) {}
 
   [[nodiscard]] Result reached(const Values& values) const { return reached_place(task_, values); }
-  [[nodiscard]] Vector<Scalar, joints> following(const Result& at, std::size_t joint,
-                                                 const Scalar& by) const {
+  [[nodiscard]] Steps<Scalar, joints> following(const Result& at, std::size_t joint, const Scalar& by) const {
     return polishing::following(at, joint, by);
   }
   [[nodiscard]] static Dependent<Scalar, joints> idle(const Result& at) { return idle_joints(at); }

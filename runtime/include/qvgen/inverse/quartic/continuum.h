@@ -64,7 +64,7 @@ bool improve(const PointMatching<Scalar, joints, points>& task, JointValues<Scal
   const polishing::Dependent<Scalar, joints> idle = idle_joints_at(task, values);
   if (idle.least == joints) return polish_points(task, Scalar(0), values, budget, none);
   const Scalar least = miss(task, values);
-  polishing::Vector<Scalar, joints> by =
+  polishing::Steps<Scalar, joints> by =
       step_of_points(task, values, Scalar(Scalar(tolerance::damping_along) * sqrt(least)),
                      Scalar(Scalar(2) * epsilon<Scalar>()), none);
   for (int attempt = 0; attempt < 4; ++attempt) {

@@ -14,10 +14,10 @@ namespace qvgen::inverse::quartic {
 /// Returns the least-squares step of J step = goal - points and λ step = 0, with some joints held; `nothing`
 /// as for `least_squares`.
 template <typename Scalar, std::size_t joints, std::size_t points>
-polishing::Vector<Scalar, joints> step_of_points(const PointMatching<Scalar, joints, points>& task,
-                                                 const JointValues<Scalar, joints>& values,
-                                                 const Scalar& lambda, const Scalar& nothing,
-                                                 const Held<joints>& held) {
+polishing::Steps<Scalar, joints> step_of_points(const PointMatching<Scalar, joints, points>& task,
+                                                const JointValues<Scalar, joints>& values,
+                                                const Scalar& lambda, const Scalar& nothing,
+                                                const Held<joints>& held) {
   const polishing::Vector<Scalar, 3 * points + joints> none{};
   polishing::Columns<Scalar, joints, 3 * points + joints> jacobian{};
   polishing::Vector<Scalar, 3 * points + joints> off{};
@@ -65,7 +65,7 @@ bool polish_points(const PointMatching<Scalar, joints, points>& task, const Scal
     // Directions that hardly move the points are left alone, unless it does not go on without them.
     const bool stuck = waited >= patience / 2 && least > Scalar(tolerance::stuck) * enough;
     const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
-    const polishing::Vector<Scalar, joints> by =
+    const polishing::Steps<Scalar, joints> by =
         step_of_points(task, now, Scalar(Scalar(tolerance::damping) * sqrt(error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i) advance(task, i, by[i], now);
     error = miss(task, now);
