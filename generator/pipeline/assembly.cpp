@@ -2,6 +2,7 @@
 #include "pipeline/assembly.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -200,6 +201,30 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
   }
 }
 
+/// Adds which driven joint each equation has to itself, by its place among them, if each has one and there
+/// are as many: a rod on a motor's crank, or one that is a cylinder. The rates' right side is diagonal then.
+void add_own_joints(const std::vector<std::size_t>& driven, std::size_t equations, json& values) {
+  std::vector<std::size_t> own(equations, driven.size());
+  std::size_t entries = 0;
+  for (const json& output : values["jacobian_code"]["outputs"]) {
+    std::size_t row = 0, column = 0;
+    std::istringstream place(output["place"].get<std::string>());
+    place >> row;
+    place.ignore(1);
+    place >> column;
+    const auto found = std::find(driven.begin(), driven.end(), column);
+    if (found == driven.end()) continue;
+    ++entries;
+    own.at(row) = static_cast<std::size_t>(found - driven.begin());
+  }
+  std::vector<std::size_t> sorted = own;
+  std::sort(sorted.begin(), sorted.end());
+  bool each = equations == driven.size() && entries == equations;
+  for (std::size_t i = 0; each && i < equations; ++i) each = sorted[i] == i;
+  values["has_own_equations"] = each;
+  values["own_joints"] = commas(own);
+}
+
 /// Values of all templates. Adds what is missing to the output.
 json values_of(const model::Mechanism& mechanism, const Surroundings& has,
                const std::vector<PlannedVariant>& plans, const AssemblyPlan& first, RobotOutput& output) {
@@ -221,6 +246,7 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
               {"chain_headers", headers_of_chains(plans)},
               {"missing", false}};
   add_constraints(first, values);
+  add_own_joints(loops.actuated, passive.size(), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
   add_variants(mechanism, plans, has.language, output, values);
   return values;

@@ -5,6 +5,7 @@
 
 #include "derive/inverse/names.h"
 #include "derive/loops/in_space.h"
+#include "derive/loops/rods.h"
 #include "symbolic/model.h"
 
 namespace qvgen::derive::loops {
@@ -131,9 +132,16 @@ void add_in_space(const model::Robot& robot, const Cycle& cycle, const Held& hel
   for (std::size_t row = 0; row < gaps.size(); ++row) put_row(gaps[row], by[row], bias[row], to);
 }
 
+/// Appends the equation of a rod.
+void add_rod(const model::Robot& robot, const Cycle& cycle, Constraints& to) {
+  put_row(Equations(robot).gaps(cycle)[0], jacobian_of_rod(robot, cycle, to.jacobian),
+          bias_of_rod(robot, cycle, to.bias), to);
+}
+
 /// Appends the equations of a closure.
 void add(const model::Robot& robot, const Cycle& cycle, const Held& held, Constraints& to) {
   if (is_rigid_in_space(cycle)) return add_in_space(robot, cycle, held, to);
+  if (cycle.type == model::LoopType::rod) return add_rod(robot, cycle, to);
   const Equations equations(robot);
   const std::size_t joints = robot.joints.size();
   for (const ex& gap : equations.gaps(cycle)) {

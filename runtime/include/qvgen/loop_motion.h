@@ -15,15 +15,6 @@
 
 namespace qvgen {
 
-/// Columns of a matrix, in that order.
-template <int rows, int dof, std::size_t count>
-Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(
-    const Eigen::Matrix<double, rows, dof>& matrix, const std::array<int, count>& columns) {
-  Eigen::Matrix<double, rows, static_cast<int>(count)> result;
-  for (std::size_t i = 0; i < count; ++i) result.col(static_cast<int>(i)) = matrix.col(columns[i]);
-  return result;
-}
-
 /// Rows of a limb's joints, from those of all joints.
 template <std::size_t count, int dof, int columns>
 Eigen::Matrix<double, static_cast<int>(count), columns> rows_of(
@@ -36,31 +27,48 @@ Eigen::Matrix<double, static_cast<int>(count), columns> rows_of(
 }
 
 /// Rates of all joints for rates of the given ones: dq/da, one row a joint and one column a given joint.
-/// `jacobian` has the loops' equations by all joints, as many rows as there are passive joints. Not finite at
-/// dead centres.
+/// `jacobian` has the loops' equations by all joints, `factors` is of its columns of the passive ones. Not
+/// finite at dead centres.
 template <int rows, int dof, std::size_t passive_count, std::size_t given_count>
 Eigen::Matrix<double, dof, static_cast<int>(given_count)> loop_rates(
-    const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, passive_count>& passive,
-    const std::array<int, given_count>& given) {
+    const detail::LinearSystem<rows>& factors, const Eigen::Matrix<double, rows, dof>& jacobian,
+    const std::array<int, passive_count>& passive, const std::array<int, given_count>& given) {
   static_assert(rows == static_cast<int>(passive_count), "as many equations as passive joints");
-  const detail::LinearSystem<rows> factors(columns_of(jacobian, passive));
-  const Eigen::Matrix<double, rows, static_cast<int>(given_count)> solved =
-      factors.solve(columns_of(jacobian, given));
   Eigen::Matrix<double, dof, static_cast<int>(given_count)> rates;
-  rates.setZero();
-  for (std::size_t i = 0; i < passive_count; ++i) rates.row(passive[i]) = -solved.row(static_cast<int>(i));
-  for (std::size_t i = 0; i < given_count; ++i) rates(given[i], static_cast<int>(i)) = 1;
+  const auto place = [](int i) { return static_cast<std::size_t>(i); };
+  factors.template solve_each<static_cast<int>(given_count)>(
+      [&](int i, int j) { return jacobian(i, given[place(j)]); },
+      [&](int i, int j, double value) { rates(passive[place(i)], j) = -value; });
+  for (std::size_t i = 0; i < given_count; ++i)
+    for (std::size_t j = 0; j < given_count; ++j) rates(given[i], static_cast<int>(j)) = i == j ? 1 : 0;
+  return rates;
+}
+
+/// Likewise where each equation has one given joint to itself: `own[i]` is the place of equation i's in
+/// `given`.
+template <int rows, int dof, std::size_t count>
+Eigen::Matrix<double, dof, static_cast<int>(count)> loop_rates(
+    const detail::LinearSystem<rows>& factors, const Eigen::Matrix<double, rows, dof>& jacobian,
+    const std::array<int, count>& passive, const std::array<int, count>& given,
+    const std::array<int, count>& own) {
+  static_assert(rows == static_cast<int>(count), "as many equations as passive and as given joints");
+  Eigen::Matrix<double, dof, static_cast<int>(count)> rates;
+  const auto place = [](int i) { return static_cast<std::size_t>(i); };
+  factors.solve_diagonal(
+      [&](int i) { return jacobian(i, given[place(own[place(i)])]); },
+      [&](int i, int j, double value) { rates(passive[place(i)], own[place(j)]) = -value; });
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) rates(given[i], static_cast<int>(j)) = i == j ? 1 : 0;
   return rates;
 }
 
 /// Accelerations of all joints at which the given ones have none: what their rates alone make of the passive
 /// ones. `bias` is the loops' second derivative by time at those rates.
-template <int rows, int dof, std::size_t passive_count>
-Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
+template <int dof, int rows, std::size_t passive_count>
+Joints<dof> loop_bias(const detail::LinearSystem<rows>& factors,
                       const std::array<int, passive_count>& passive,
                       const Eigen::Matrix<double, rows, 1>& bias) {
-  const Eigen::Matrix<double, rows, 1> solved =
-      detail::LinearSystem<rows>(columns_of(jacobian, passive)).solve(bias);
+  const Eigen::Matrix<double, rows, 1> solved = factors.solve(bias);
   Joints<dof> result = Joints<dof>::Zero();
   for (std::size_t i = 0; i < passive_count; ++i) result[passive[i]] = -solved[static_cast<int>(i)];
   return result;
@@ -71,10 +79,9 @@ Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
 /// loops were open, rad or m; the passive ones have no motors, so the loops bear theirs. Not finite at dead
 /// centres.
 template <int rows, int dof, std::size_t passive_count>
-Eigen::Matrix<double, rows, 1> loop_forces(const Eigen::Matrix<double, rows, dof>& jacobian,
+Eigen::Matrix<double, rows, 1> loop_forces(const detail::LinearSystem<rows>& factors,
                                            const std::array<int, passive_count>& passive,
                                            const Joints<dof>& forces) {
-  const detail::LinearSystem<rows> factors(columns_of(jacobian, passive));
   Eigen::Matrix<double, rows, 1> borne;
   for (std::size_t i = 0; i < passive_count; ++i) borne[static_cast<int>(i)] = forces[passive[i]];
   return factors.solve_transposed(borne);
@@ -85,11 +92,10 @@ Eigen::Matrix<double, rows, 1> loop_forces(const Eigen::Matrix<double, rows, dof
 /// rows; one that is but rounding next to the others counts as longer than it is.
 template <int rows, int dof, std::size_t count>
 double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
-  const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
   const double least = inverse::tolerance::least_row * jacobian.norm();
   double lengths = 1;
   for (int i = 0; i < rows; ++i) lengths *= std::max(jacobian.row(i).norm(), least);
-  return lengths > 0 ? std::abs(detail::LinearSystem<rows>(part).determinant()) / lengths : 0;
+  return lengths > 0 ? std::abs(detail::LinearSystem<rows>(jacobian, held).determinant()) / lengths : 0;
 }
 
 /// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
@@ -108,7 +114,7 @@ Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& 
     found.gap = gap.cwiseAbs().maxCoeff();
     found.closed = gap.allFinite() && found.gap <= enough;
     if (found.closed || found.steps == 30 || !gap.allFinite()) return found;
-    const detail::LinearSystem<rows> factors(columns_of(jacobian(found.q), passive));
+    const detail::LinearSystem<rows> factors(jacobian(found.q), passive);
     const double determinant = factors.determinant();
     if (found.steps == 0) side = determinant;
     found.crossed = (determinant < 0) != (side < 0);

@@ -52,6 +52,17 @@ class LinearSystem {
     eliminate_from<0>();
   }
 
+  /// Takes these columns of a wider matrix.
+  template <int width>
+  LinearSystem(const Eigen::Matrix<double, size, width>& matrix,
+               const std::array<int, static_cast<std::size_t>(size)>& columns) {
+    for (std::size_t i = 0; i < n; ++i) {
+      order_[i] = i;
+      for (std::size_t j = 0; j < n; ++j) rows_[i][j] = matrix(static_cast<int>(i), columns[j]);
+    }
+    eliminate_from<0>();
+  }
+
   [[nodiscard]] double determinant() const {
     double product = sign_;
     for (std::size_t k = 0; k < n; ++k) product *= row(k)[k];
@@ -62,20 +73,36 @@ class LinearSystem {
   template <int columns>
   [[nodiscard]] Eigen::Matrix<double, size, columns> solve(
       const Eigen::Matrix<double, size, columns>& right) const {
-    std::array<std::array<double, static_cast<std::size_t>(columns)>, n> x;
+    Eigen::Matrix<double, size, columns> result;
+    solve_each<columns>([&](int i, int j) { return right(i, j); },
+                        [&](int i, int j, double value) { result(i, j) = value; });
+    return result;
+  }
+
+  /// Likewise with a right side that is read entry by entry, right(i, j), and a solution that is handed on
+  /// so, take(i, j, value).
+  template <int columns, class Right, class Take>
+  void solve_each(const Right& right, const Take& take) const {
+    Lines<static_cast<std::size_t>(columns)> x;
     for (std::size_t i = 0; i < n; ++i)
       for (int j = 0; j < columns; ++j)
         x[i][static_cast<std::size_t>(j)] = right(static_cast<int>(order_[i]), j);
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) subtract(row(i)[k], x[k], x[i]);
-    for (std::size_t k = n; k-- > 0;) {
-      for (double& each : x[k]) each *= reciprocals_[k];
-      for (std::size_t i = 0; i < k; ++i) subtract(row(i)[k], x[k], x[i]);
-    }
-    Eigen::Matrix<double, size, columns> result;
+    substitute_back(x);
     for (std::size_t i = 0; i < n; ++i)
-      for (int j = 0; j < columns; ++j) result(static_cast<int>(i), j) = x[i][static_cast<std::size_t>(j)];
-    return result;
+      for (int j = 0; j < columns; ++j) take(static_cast<int>(i), j, x[i][static_cast<std::size_t>(j)]);
+  }
+
+  /// Likewise with a diagonal right side, diagonal(i).
+  template <class Diagonal, class Take>
+  void solve_diagonal(const Diagonal& diagonal, const Take& take) const {
+    Lines<n> x{};  // columns in the order of pivots: nothing is right of the diagonal before the way back
+    for (std::size_t k = 0; k < n; ++k) x[k][k] = diagonal(static_cast<int>(order_[k]));
+    forward_from<0>(x);
+    substitute_back(x);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i) take(static_cast<int>(i), static_cast<int>(order_[j]), x[i][j]);
   }
 
   /// Solves matrix^T * x = right.
@@ -96,12 +123,34 @@ class LinearSystem {
  private:
   static constexpr std::size_t n = static_cast<std::size_t>(size);
   using Row = std::array<double, n>;
+  template <std::size_t count>
+  using Lines = std::array<std::array<double, count>, n>;
 
   template <std::size_t count>
   static void subtract(double factor, const std::array<double, count>& from, std::array<double, count>& to) {
     for (std::size_t j = 0; j < count; ++j) to[j] -= factor * from[j];
   }
   [[nodiscard]] const Row& row(std::size_t i) const { return rows_[order_[i]]; }
+
+  /// Forward substitution of rows that end on the diagonal, with bounds that the compiler knows.
+  template <std::size_t k>
+  [[gnu::always_inline]] inline void forward_from(Lines<n>& x) const {
+    if constexpr (k < n) {
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const double factor = row(i)[k];
+        for (std::size_t j = 0; j <= k; ++j) x[i][j] -= factor * x[k][j];
+      }
+      forward_from<k + 1>(x);
+    }
+  }
+
+  template <std::size_t count>
+  void substitute_back(Lines<count>& x) const {
+    for (std::size_t k = n; k-- > 0;) {
+      for (double& each : x[k]) each *= reciprocals_[k];
+      for (std::size_t i = 0; i < k; ++i) subtract(row(i)[k], x[k], x[i]);
+    }
+  }
 
   /// Steps from column k on, each with bounds that the compiler knows.
   template <std::size_t k>
