@@ -63,7 +63,7 @@ void Careful::search_valleys() {
 /// walk sees a line.
 bool Careful::any_is_on_plain() const {
   return std::any_of(rows_, rows_ + size_, [this](const Row& row) {
-    const auto at = polishing::Newton<double, joints, 3>(task_).reached(row.values);
+    auto at = polishing::Newton<double, joints, 3>(task_).reached(row.values);
     const auto idle = polishing::dependent(at.jacobian, nearly_idle);
     return !row.continuum && std::count(idle.is.begin(), idle.is.end(), true) > 1;
   });

@@ -6,7 +6,8 @@ namespace qvgen::inverse::elimination {
 bool ValleyWalk::begin(const Values& start, Floor& floor) const {
   floor.values = start;
   floor.at = newton_.reached(start);
-  const auto idle = polishing::dependent(floor.at.jacobian, shallow);
+  auto columns = floor.at.jacobian;
+  const auto idle = polishing::dependent(columns, shallow);
   if (idle.least == joints) return false;
   Held<joints> held{};
   held[idle.least] = true;
@@ -17,7 +18,8 @@ bool ValleyWalk::begin(const Values& start, Floor& floor) const {
 
 /// Sets where the floor leads on, the fastest joint with speed 1.
 bool ValleyWalk::look(double direction, Floor& floor) const {
-  const auto idle = polishing::dependent(floor.at.jacobian, shallow);
+  auto columns = floor.at.jacobian;
+  const auto idle = polishing::dependent(columns, shallow);
   if (idle.least == joints) return false;
   Way way = newton_.following(floor.at, idle.least, 1);
   double fastest = 0, along = 0;
