@@ -312,7 +312,7 @@ Scalar all_of(const Task<Scalar, rows>& task, const Vector<Scalar, rows>& v, con
 }
 )");
   EXPECT_THAT(text, HasSubstr("double all_of(const Task* task, const Vector* v, const Vector* w) {\n"
-                              "  return task->rows * task->of[task->rows - 1] + sum(task->rows, v) + "
+                              "  return (double)task->rows * task->of[task->rows - 1] + sum(task->rows, v) + "
                               "sum(twice(task->rows), w);\n}"));
 }
 

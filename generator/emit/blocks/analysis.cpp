@@ -215,4 +215,9 @@ bool has_module(const Unit& unit, const std::string& name) {
   return std::find(unit.modules.begin(), unit.modules.end(), name) != unit.modules.end();
 }
 
+bool has_motors(const Unit& unit) {
+  return std::any_of(unit.constants.begin(), unit.constants.end(),
+                     [&](const Constant& each) { return each.name == unit.robot + "_joints_by_motors"; });
+}
+
 }  // namespace qvgen::emit::blocks

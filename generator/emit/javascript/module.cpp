@@ -142,8 +142,9 @@ Files package(const blocks::Unit& unit, const std::vector<blocks::File>& c,
     all["body"] = body;
     all["dof"] = unit.constant(unit.robot + "_dof")->value[0].text;
     all["has_inverse"] = blocks::solves_poses(unit);
-    all["metrics"] =
-        solves && !body.empty() ? render("javascript/metrics" + file.substr(file.find('.')), {}) : "";
+    all["metrics"] = solves && !body.empty() ? render("javascript/metrics" + file.substr(file.find('.')),
+                                                      {{"has_motors", blocks::has_motors(unit)}})
+                                             : "";
     return render("javascript/" + file, all);
   };
   Files files{{name + ".mjs", filled("module.mjs", writer.module())},

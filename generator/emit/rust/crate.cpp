@@ -162,17 +162,11 @@ std::string names_of(const blocks::Unit& unit, const std::string& module) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-bool has_motors(const blocks::Unit& unit) {
-  return std::any_of(unit.constants.begin(), unit.constants.end(), [&](const blocks::Constant& each) {
-    return each.name == unit.robot + "_joints_by_motors";
-  });
-}
-
 json values_of(const blocks::Unit& unit, const std::vector<std::string>& missing) {
   return {{"name", unit.robot},
           {"has_inverse", blocks::solves_poses(unit)},
           {"has_metrics", blocks::has_module(unit, "inverse")},
-          {"has_motors", has_motors(unit)},
+          {"has_motors", blocks::has_motors(unit)},
           {"has_missing", !missing.empty()},
           {"missing", lines_of_text(missing)}};
 }
