@@ -24,7 +24,7 @@ static void set_outer_joints(const Arm* arm, const double* values, OuterJoints* 
   const Pose at_tool = pose_after(&ahead, &arm->tool);
   memcpy(outer->values, values, sizeof outer->values);
   outer->before = inverse_pose(&before);
-  for (int i = 0; i < whole_dof; ++i) outer->before.position[0] += values[i] - values[i];
+  for (int i = 0; i < whole_dof; ++i) outer->before.position[0] += 0.0 * values[i];
   outer->behind = inverse_pose(&at_tool);
 }
 
