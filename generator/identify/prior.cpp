@@ -113,7 +113,7 @@ double positive_or(const model::Expression& expression, const model::Bindings& v
   }
 }
 
-/// A drive in its place, and whether motors that are no joints move the joint that has it.
+/// A joint's drive. `is_behind_motors` is true if motors move the joint that are no joints themselves.
 struct PlacedDrive {
   model::Drive drive;
   bool is_behind_motors = false;
