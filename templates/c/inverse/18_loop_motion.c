@@ -46,20 +46,15 @@ static double system_determinant(const LoopSystem* s) {
   return product;
 }
 
-/// Solves for a right side in the order of the pivots that is zero in front of a place.
-static void solve_from(const LoopSystem* s, int place, double* x) {
-  for (int k = place; k < s->size; ++k)
+/// Solves matrix * x = right.
+static void solve_system(const LoopSystem* s, const double* right, double* x) {
+  for (int i = 0; i < s->size; ++i) x[i] = right[s->order[i]];
+  for (int k = 0; k < s->size; ++k)
     for (int i = k + 1; i < s->size; ++i) x[i] -= s->rows[s->order[i]][k] * x[k];
   for (int k = s->size - 1; k >= 0; --k) {
     x[k] *= s->reciprocals[k];
     for (int i = 0; i < k; ++i) x[i] -= s->rows[s->order[i]][k] * x[k];
   }
-}
-
-/// Solves matrix * x = right.
-static void solve_system(const LoopSystem* s, const double* right, double* x) {
-  for (int i = 0; i < s->size; ++i) x[i] = right[s->order[i]];
-  solve_from(s, 0, x);
 }
 
 /// Solves matrix^T * x = right.
