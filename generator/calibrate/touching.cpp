@@ -16,7 +16,7 @@ Field height(Data data, const Surface<Field>& surface, const Vec<Field>& at) {
 std::optional<CosSin<Field>> solve(Field a, Field b, Field c) {
   const Field square = a * a + b * b;
   if (square.is_zero()) return std::nullopt;
-  const auto root = square_root(square - c * c);
+  const auto root = (square - c * c).square_root();
   if (!root) return std::nullopt;
   const Field scale = square.inverse();
   return CosSin<Field>{-(a * c + b * *root) * scale, (a * *root - b * c) * scale};
@@ -36,43 +36,7 @@ bool turns_alone(const Geometry<Field>& geometry, std::size_t joint) {
                      [&](const VariableShare& share) { return !moves_others(share.variable); });
 }
 
-/// Returns a root of a value beside the prime field, from its norm and trace.
-std::optional<Field> root_from_norm(Field value, Field conjugate) {
-  const Field half = Field::from(2).inverse();
-  const auto norm = square_root(value * conjugate);
-  if (!norm) return std::nullopt;
-  for (const Field sign : {*norm, -*norm})
-    if (const auto x = square_root(((value + conjugate) * half + sign) * half))
-      return *x + (value - conjugate) * half * half * x->inverse();
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::optional<Field> square_root(Field value) {
-  if (value.is_zero()) return value;
-  if (const Field conjugate = value.power(Field::prime); !(conjugate == value))
-    return root_from_norm(value, conjugate);
-  constexpr std::uint64_t minus_one = Field::prime - 1;
-  const Field one = Field::from(1);
-  if (!(value.power(minus_one / 2) == one)) return std::nullopt;
-  std::uint64_t odd = minus_one;
-  unsigned twos = 0;
-  for (; odd % 2 == 0; odd /= 2) ++twos;
-  Field other = Field::from(2);
-  while (other.power(minus_one / 2) == one) other = other + one;
-  Field step = other.power(odd), root = value.power(odd / 2 + 1), rest = value.power(odd);
-  while (!(rest == one)) {
-    unsigned order = 0;
-    for (Field square = rest; !(square == one); square = square * square) ++order;
-    for (unsigned i = order + 1; i < twos; ++i) step = step * step;
-    twos = order;
-    root = root * step;
-    step = step * step;
-    rest = rest * step;
-  }
-  return root;
-}
 
 std::optional<Posture<Field>> touching_posture(const Model<Field>& model, Data data,
                                                const Frames<Field>& frames, std::size_t target,

@@ -15,7 +15,4 @@ std::optional<Posture<Field>> touching_posture(const Model<Field>& model, Data d
                                                const Frames<Field>& frames, std::size_t target,
                                                const Surface<Field>& surface, std::uint64_t seed);
 
-/// Returns a square root; nothing for half of all elements, which have none (Tonelli and Shanks).
-std::optional<Field> square_root(Field value);
-
 }  // namespace qvgen::calibrate

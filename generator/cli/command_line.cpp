@@ -22,18 +22,11 @@ void add_output(CommandLine& line, CLI::App& command, const std::string& text) {
       ->check(CLI::Validator(is_named, "", "named"));
 }
 
-void add_generate(CommandLine& line) {
-  GenerateArguments& generate = line.generate;
-  CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
-  line.generate_command = &command;
-  command
-      .add_option("FILES", line.generate_files,
-                  "robot descriptions or names of known robots; all known ones without")
-      ->type_name("ROBOT");
-  add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
+/// Adds which parts are generated, and in which language.
+void add_parts(CommandLine& line, CLI::App& command) {
   command
       .add_option(
-          "--only", generate.parts,
+          "--only", line.generate.parts,
           "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
           "all of these without, and assembly of mechanisms with loops. Headers of dynamics that a "
           "description leaves out have names too: "
@@ -49,7 +42,7 @@ void add_generate(CommandLine& line) {
       ->allow_extra_args(false)
       ->delimiter(',');
   command
-      .add_option("--require", generate.required,
+      .add_option("--require", line.generate.required,
                   "parts (inverse,dynamics,...) that every robot must get, else an error")
       ->type_name("PARTS")
       ->allow_extra_args(false)
@@ -63,6 +56,34 @@ void add_generate(CommandLine& line) {
       .add_option("--scalar", line.scalar,
                   "what C computes in: double, or float for controllers without double")
       ->check(CLI::IsMember({"double", "float"}));
+}
+
+/// Adds what builds ask for that run the tool.
+void add_build(BuildFiles& build, CLI::App& command) {
+  command.add_option("--list-outputs", build.outputs, "write the paths of all files there")
+      ->type_name("FILE");
+  command
+      .add_option("--depfile", build.depfile,
+                  "write there, for make and ninja, what TARGET of TARGET.d is made from")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--sources", build.sources,
+          "folder for sources of a single robot that are always the same: robot.c, or one of each part")
+      ->type_name("FOLDER");
+  command.add_flag("--quiet", build.quiet, "no table of operation counts");
+}
+
+void add_generate(CommandLine& line) {
+  GenerateArguments& generate = line.generate;
+  CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
+  line.generate_command = &command;
+  command
+      .add_option("FILES", line.generate_files,
+                  "robot descriptions or names of known robots; all known ones without")
+      ->type_name("ROBOT");
+  add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
+  add_parts(line, command);
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
   add_tips(command, generate.read);
@@ -75,18 +96,7 @@ void add_generate(CommandLine& line) {
       ->type_name("MEGABYTES")
       ->check(CLI::Range(1, 100000000).description(""))
       ->capture_default_str();
-  command.add_option("--list-outputs", generate.build.outputs, "write the paths of all files there")
-      ->type_name("FILE");
-  command
-      .add_option("--depfile", generate.build.depfile,
-                  "write there, for make and ninja, what TARGET of TARGET.d is made from")
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--sources", generate.build.sources,
-          "folder for sources of a single robot that are always the same: robot.c, or one of each part")
-      ->type_name("FOLDER");
-  command.add_flag("--quiet", generate.build.quiet, "no table of operation counts");
+  add_build(generate.build, command);
 }
 
 void add_remove(CommandLine& line) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -187,11 +189,6 @@ std::string title_of(const PathArguments& arguments, const model::Robot& robot) 
   return fmt::format("{} along {}", robot.name, arguments.poses.filename().string());
 }
 
-/// Writes what the program has not written itself.
-void write(const fs::path& output, const std::string& text) {
-  pipeline::replace_file(output, text, output.string() + ".new");
-}
-
 /// Returns the file that the CSV is written to until all is well; empty if none is wanted.
 fs::path unfinished_csv(const PathArguments& arguments) {
   for (const fs::path& output : arguments.outputs)
@@ -199,9 +196,15 @@ fs::path unfinished_csv(const PathArguments& arguments) {
   return {};
 }
 
-void finish_csv(const PathArguments& arguments) {
+/// Texts of files that the program has not written itself, by extension: made if they are asked for.
+using Texts = std::map<std::string, std::function<std::string()>>;
+
+void finish(const PathArguments& arguments, const Texts& texts) {
   for (const fs::path& output : arguments.outputs)
     if (output.extension() == ".csv") fs::rename(output.string() + ".new", output);
+  for (const fs::path& output : arguments.outputs)
+    if (const auto text = texts.find(output.extension().string()); text != texts.end())
+      pipeline::replace_file(output, text->second(), output.string() + ".new");
 }
 
 int follow_all(const PathArguments& arguments, const description::ReadResult& description,
@@ -214,14 +217,10 @@ int follow_all(const PathArguments& arguments, const description::ReadResult& de
   task.motions = unfinished_csv(arguments);
   const nlohmann::ordered_json json = path::follow(program, task, poses);
   const path::Result result = path::result_of(json);
-  finish_csv(arguments);
-  for (const fs::path& output : arguments.outputs) {
-    if (output.extension() == ".json") write(output, json_text(robot, task, json));
-    if (output.extension() == ".svg")
-      write(output, path::picture_of(result, task, title_of(arguments, robot)));
-    if (output.extension() == ".html")
-      write(output, path::page_of(robot, result, task, title_of(arguments, robot)));
-  }
+  const std::string title = title_of(arguments, robot);
+  finish(arguments, {{".json", [&] { return json_text(robot, task, json); }},
+                     {".svg", [&] { return path::picture_of(result, task, title); }},
+                     {".html", [&] { return path::page_of(robot, result, task, title); }}});
   fmt::print("{}", path_text(result, task, poses, robot.name));
   return success;
 }
@@ -235,14 +234,10 @@ int follow_best(const PathArguments& arguments, const description::ReadResult& d
                                                        runtime_of(arguments), said_on(progress));
   task.motion = unfinished_csv(arguments);
   const path::FreeMotion motion = path::follow_free(program, task, poses);
-  finish_csv(arguments);
-  for (const fs::path& output : arguments.outputs) {
-    if (output.extension() == ".json") write(output, path::json_of(motion, task, robot.name).dump(1) + "\n");
-    if (output.extension() == ".svg")
-      write(output, path::picture_of(motion, task, title_of(arguments, robot)));
-    if (output.extension() == ".html")
-      write(output, path::page_of(robot, motion, task, title_of(arguments, robot)));
-  }
+  const std::string title = title_of(arguments, robot);
+  finish(arguments, {{".json", [&] { return path::json_of(motion, task, robot.name).dump(1) + "\n"; }},
+                     {".svg", [&] { return path::picture_of(motion, task, title); }},
+                     {".html", [&] { return path::page_of(robot, motion, task, title); }}});
   fmt::print("{}", free_text(motion, task, poses, robot.name));
   return motion.followed >= static_cast<double>(motion.samples) - 1 ? success : failure;
 }

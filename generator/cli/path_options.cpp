@@ -14,13 +14,8 @@ std::string positive_or_infinite(const std::string& word) {
   return *end == '\0' && value > 0 ? "" : "'" + word + "' is no number above zero";
 }
 
-}  // namespace
-
-CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("path",
-                                          "all continuous motions of the joints that follow a path of the "
-                                          "tool: where each begins and ends, and why; "
-                                          "or the fewest that follow it one after the other");
+/// Adds the arm, the path, and the files to write.
+void add_files(CLI::App& command, PathArguments& arguments) {
   command.add_option("ROBOT", arguments.robot, "name of a known robot, or a description")
       ->type_name("ROBOT")
       ->required();
@@ -37,6 +32,10 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
                   "along the path) or .html (a page on which the arm moves along it); may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
+}
+
+/// Adds what joints may do.
+void add_joints(CLI::App& command, PathArguments& arguments) {
   command
       .add_option(
           "--limit", arguments.limits,
@@ -49,6 +48,10 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       .add_option("--hold", arguments.held,
                   "seven joints: the one that stays, NAME=VALUE, rad or m, or with deg or mm behind")
       ->type_name("JOINT");
+}
+
+/// Adds what the path leaves open, of which the best is looked for.
+void add_free(CLI::App& command, PathArguments& arguments) {
   command
       .add_option(
           "--free", arguments.free,
@@ -77,6 +80,10 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->type_name("JOINTS")
       ->allow_extra_args(false)
       ->delimiter(',');
+}
+
+/// Adds how the tool goes from pose to pose, and whether that is proven.
+void add_course(CLI::App& command, PathArguments& arguments) {
   command.add_flag("--screw", arguments.screw,
                    "screw motions between poses, in place of straight lines with an even turn");
   command.add_flag("--spline", arguments.spline, "a cubic spline through the poses, likewise")
@@ -94,6 +101,10 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
           "prove by interval arithmetic that each motion is continuous, and that no other one follows the "
           "path; stretches that cannot be proven are reported")
       ->excludes("--free");
+}
+
+/// Adds what the least time of a motion depends on.
+void add_time(CLI::App& command, PathArguments& arguments) {
   command
       .add_option(
           "--time", arguments.accelerations,
@@ -129,6 +140,10 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->delimiter(',')
       ->needs("--time")
       ->excludes("--joint-jerks");
+}
+
+/// Adds the tool's speed, and units of the table.
+void add_tool_speed(CLI::App& command, PathArguments& arguments) {
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
       ->type_name("SPEED")
       ->check(CLI::PositiveNumber);
@@ -138,6 +153,21 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   command.add_option("--angle-unit", arguments.angle_unit, "of angles whose header states none")
       ->check(CLI::IsMember({"rad", "deg"}))
       ->capture_default_str();
+}
+
+}  // namespace
+
+CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("path",
+                                          "all continuous motions of the joints that follow a path of the "
+                                          "tool: where each begins and ends, and why; "
+                                          "or the fewest that follow it one after the other");
+  add_files(command, arguments);
+  add_joints(command, arguments);
+  add_free(command, arguments);
+  add_course(command, arguments);
+  add_time(command, arguments);
+  add_tool_speed(command, arguments);
   add_reading(command, arguments.read);
   command.footer(std::string("\nexamples:") + path_examples);
   return &command;

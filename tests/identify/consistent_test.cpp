@@ -32,22 +32,28 @@ void expect_bodies(const FullSet& full, Index links) {
     }
 }
 
-/// Exact data of arms that the description knows nothing of: the written description has their torques.
+/// Identifies an arm from exact data, without what its description says of inertia. The description that is
+/// written, which is read as any other, has the arm's torques in new motions.
+FullSet expect_torques_of_new_motions(const std::string& text, unsigned seed) {
+  const reference::Chain chain = reference::load_text(text);
+  const model::Robot bare = read_arm(without_inertia(text));
+  const Identification found = identify::identify(bare, {simulated(chain, 3000, seed)});
+  EXPECT_TRUE(found.full.exact) << text;
+  const std::string result = identify::written(without_inertia(text), bare, found.full.values, "from a test");
+  MotionLog log = simulated(chain, 200, seed + 100);
+  const Eigen::MatrixXd torque = log.torque;
+  fill_torques(reference::load_text(result), log);
+  EXPECT_LT((log.torque - torque).norm(), 1e-9 * torque.norm()) << result;
+  read_arm(result);
+  return found.full;
+}
+
 TEST(FullSetOfParameters, GivesTheTorquesOfNewMotions) {
   unsigned seed = 50;
   for (const std::string kind : {"RRR", "RRRRRR", "RPR", "RRRRRRR"}) {
-    const std::string text = ArmWriter(++seed).text(kind);
-    const reference::Chain chain = reference::load_text(text);
-    const model::Robot bare = read_arm(without_inertia(text));
-    const Identification found = identify::identify(bare, {simulated(chain, 3000, seed)});
-    EXPECT_TRUE(found.full.exact) << text;
-    expect_bodies(found.full, chain.size());
-    const std::string result =
-        identify::written(without_inertia(text), bare, found.full.values, "from a test");
-    MotionLog log = simulated(chain, 200, seed + 100);
-    const Eigen::MatrixXd torque = log.torque;
-    fill_torques(reference::load_text(result), log);
-    EXPECT_LT((log.torque - torque).norm(), 1e-9 * torque.norm()) << result;
+    ++seed;
+    const FullSet full = expect_torques_of_new_motions(ArmWriter(seed).text(kind), seed);
+    expect_bodies(full, static_cast<Index>(kind.size()));
   }
 }
 
@@ -56,18 +62,8 @@ TEST(FullSetOfParameters, GivesTheTorquesOfNewMotions) {
 TEST(FullSetOfParameters, OfMotorsGivesTheTorquesOfNewMotions) {
   unsigned seed = 70;
   for (const std::string kind : {"RRR", "RRRRR", "RPR"}) {
-    const std::string text = ArmWriter(++seed).with_motors(kind);
-    const reference::Chain chain = reference::load_text(text);
-    const model::Robot bare = read_arm(without_inertia(text));
-    const Identification found = identify::identify(bare, {simulated(chain, 3000, seed)});
-    EXPECT_TRUE(found.full.exact) << text;
-    const std::string result =
-        identify::written(without_inertia(text), bare, found.full.values, "from a test");
-    MotionLog log = simulated(chain, 200, seed + 100);
-    const Eigen::MatrixXd torque = log.torque;
-    fill_torques(reference::load_text(result), log);
-    EXPECT_LT((log.torque - torque).norm(), 1e-9 * torque.norm()) << result;
-    read_arm(result);
+    ++seed;
+    expect_torques_of_new_motions(ArmWriter(seed).with_motors(kind), seed);
   }
 }
 

@@ -34,6 +34,26 @@ TEST(Field, RootOfUnityHasTheFullOrder) {
     EXPECT_NE(w.power(Field::order / prime), Field::from(1)) << prime;
 }
 
+/// Every integer has a root, and so has every second of the other elements.
+TEST(Field, SquareRootsSquareToTheirElements) {
+  Random random(7);
+  const auto integer = [&] { return Field::from(random.next()); };
+  int without = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Field a = integer(), root = *a.square_root();
+    EXPECT_EQ(root * root, a);
+    const Field beside = integer() + integer() * *Field::from(82).square_root(), square = beside * beside;
+    EXPECT_TRUE(square.square_root() == beside || square.square_root() == -beside) << i;
+    if (const auto of_any = beside.square_root())
+      EXPECT_EQ(*of_any * *of_any, beside) << i;
+    else
+      ++without;
+  }
+  EXPECT_GT(without, 60);
+  EXPECT_LT(without, 140);
+  EXPECT_EQ(Field().square_root(), Field());
+}
+
 TEST(Fingerprint, KeepsTheLawsOfSineAndCosine) {
   const Fingerprint point(5);
   const CosineSine half = point.circular(angle(1, 2));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "passes/search/search.h"
 
+#include <complex>
+
 #include <gtest/gtest.h>
 
 #include "dag/counts.h"
 #include "dag/evaluate.h"
+#include "exact/hash.h"
 #include "exact/point.h"
 #include "passes/search/random.h"
 
@@ -186,6 +189,71 @@ TEST(Search, KeepsOpaqueOperationsApart) {
   EXPECT_EQ(counts.roots, 1);
   EXPECT_EQ(counts.arctangents, 2);
   EXPECT_EQ(counts.divisions, 1);
+}
+
+/// Random complex numbers for symbols, which roots take anything of. No angles, no arctangents.
+struct ComplexPoint {
+  using Value = std::complex<double>;
+  std::uint64_t seed;
+
+  static Value constant(const exact::Number& value) { return value.to_double(); }
+  [[nodiscard]] Value symbol(const std::string& name) const {
+    search_detail::Random random(seed + exact::hash(name));
+    const auto part = [&] { return 0.5 + random.below(1U << 20) / static_cast<double>(1U << 20); };
+    const double real = part();
+    return {real, part()};
+  }
+  static Value root(const Value& value) { return std::sqrt(value); }
+  static Value sine(const dag::Angle& /*angle*/) { throw std::domain_error("no angles here"); }
+  static Value cosine(const dag::Angle& angle) { return sine(angle); }
+  static Value arctangent(const Value& y, const Value& /*x*/) { return y; }
+};
+
+void expect_same_complex_values(const Function& a, const Function& b, std::uint64_t seed) {
+  const auto of_a = dag::evaluate<std::complex<double>>(a, ComplexPoint{seed});
+  const auto of_b = dag::evaluate<std::complex<double>>(b, ComplexPoint{seed});
+  ASSERT_EQ(of_a.size(), of_b.size());
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    EXPECT_LT(std::abs(of_a[i] - of_b[i]), 1e-9 * (1 + std::abs(of_a[i]))) << "seed " << seed;
+}
+
+/// Two random sums, and their product in two forms.
+struct ProductOfSums {
+  Edge factored, expanded;
+};
+ProductOfSums product_of_sums(Graph& g, search_detail::Random& random) {
+  const std::vector<Edge> symbols = {g.symbol("a"), g.symbol("b"), g.symbol("c"), g.symbol("d")};
+  const auto any = [&] {
+    const Edge edge = symbols[random.below(4)];
+    return random.chance(64) ? -edge : edge;
+  };
+  const std::vector<Edge> left = {any(), g.constant(exact::Number(3)), any()};
+  const std::vector<Edge> right = {g.constant(exact::Number::root(2 + random.below(50))), any()};
+  std::vector<Edge> products;
+  for (const Edge l : left)
+    for (const Edge r : right) products.push_back(g.product({l, r}));
+  return {g.product({g.sum(left), g.sum(right)}), g.sum(products)};
+}
+
+/// Roots of one value written in two ways are one root; those of its negative, of its double and of itself
+/// are others.
+TEST(Search, TakesOneRootOfEachValue) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    search_detail::Random random(seed);
+    Function f;
+    Graph& g = f.graph;
+    const auto [factored, expanded] = product_of_sums(g, random);
+    const Edge root = g.root(factored);
+    f.outputs = {{"y", g.product({root, g.symbol("a")})}, {"z", g.sum({g.root(expanded), g.symbol("b")})}};
+    const Function one = search({f}, {}, steps(300));
+    EXPECT_EQ(dag::count(one).roots, 1) << "seed " << seed;
+    expect_same_complex_values(f, one, seed);
+    const Edge twice = g.product({g.constant(exact::Number(2)), expanded});
+    f.outputs.insert(f.outputs.end(), {{"x", g.root(-expanded)}, {"w", g.root(twice)}, {"v", g.root(root)}});
+    const Function others = search({f}, {}, steps(300));
+    EXPECT_EQ(dag::count(others).roots, 4) << "seed " << seed;
+    expect_same_complex_values(f, others, seed);
+  }
 }
 
 /// A random expression over a few symbols and sines, its nodes reused at random.

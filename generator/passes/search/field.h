@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 
 #include "passes/search/random.h"
 
@@ -25,13 +26,13 @@ class Field {
   static Field from(std::uint64_t value);
   /// Primitive root of unity standing for exp(2 pi i / order).
   static Field root_of_unity();
-  /// Returns a square root of an integer.
-  static Field square_root(std::uint64_t value);
 
   [[nodiscard]] bool is_zero() const { return (bits_ | along_) == 0; }
   [[nodiscard]] Field power(std::uint64_t exponent) const;
   /// Returns the reciprocal, and zero for zero.
   [[nodiscard]] Field inverse() const;
+  /// Returns a square root. All integers have one, of the other elements every second.
+  [[nodiscard]] std::optional<Field> square_root() const;
   /// Hash of the value; of integers a bijective one.
   [[nodiscard]] std::uint64_t bits() const { return along_ == 0 ? bits_ : mix(bits_ ^ mix(along_)); }
 
@@ -51,6 +52,7 @@ class Field {
   friend auto operator<=>(Field, Field) = default;
 
  private:
+  [[nodiscard]] Field root_of_integer() const;
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t negative_inverse() {
     std::uint64_t inverse = prime;  // Newton's iteration modulo 2^64

@@ -86,7 +86,7 @@ Field Fingerprint::root_without_small_factors(const cln::cl_I& radicand) const {
 /// or i sqrt(p) for p = 3 mod 4. No angle says the sign of other primes' roots: any will do.
 Field Fingerprint::prime_root(const cln::cl_I& number) const {
   if (number > static_cast<unsigned long>(Field::order) || Field::order % cln::cl_I_to_ulong(number) != 0)
-    return Field::square_root(modulo(number, Field::prime));
+    return *Field::from(modulo(number, Field::prime)).square_root();
   const unsigned long prime = cln::cl_I_to_ulong(number);
   if (prime == 2) return unity_.power(Field::order / 8) + unity_.power(Field::order / 8).inverse();
   const Field step = unity_.power(Field::order / prime);

@@ -1,6 +1,6 @@
-// Definitions that blocks read from headers of the C++ library need in C: a half turn, and a function in the place of
-// `Rotor{cosine, sine}`. Each tolerance_NAME is the number of that name in tolerances.h; bounds of rounding are wider in
-// float: single_precision.h.
+// Definitions that blocks read from headers of the C++ library need in C: a half turn, a function in the place of
+// `Rotor{cosine, sine}`, whole numbers of turns. Each tolerance_NAME is the number of that name in tolerances.h; bounds of
+// rounding are wider in float: single_precision.h.
 
 static const double pi = constant_pi;
 
@@ -12,4 +12,14 @@ typedef struct Rotor {
 static inline Rotor rotor(double cosine, double sine) {
   const Rotor r = {cosine, sine};
   return r;
+}
+
+/// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
+/// limit to either side. Such a joint is put on the limit itself.
+static const double limit_tolerance = tolerance_on_limit;
+
+/// The whole number next to a quotient: adding and subtracting a large number rounds.
+static inline double nearest_whole(double quotient) {
+  const double rounds = 1.5 / DBL_EPSILON;
+  return (quotient + rounds) - rounds;
 }

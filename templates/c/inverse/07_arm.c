@@ -3,8 +3,7 @@
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
 static inline double without_turns(double difference) {
   const double turn = constant_whole_turn;
-  const double rounds = 1.5 / DBL_EPSILON;
-  return difference - turn * ((difference * (1 / turn) + rounds) - rounds);
+  return difference - turn * nearest_whole(difference * (1 / turn));
 }
 
 static const Held nothing_held = {{false}};

@@ -60,18 +60,16 @@ typedef struct Tracker {
   BranchState states[most_branches];
   Known known;
   Budget budget;
-  bool persists;  // further choices are made as long as a branch is without a solution
-  bool again;     // branches that have led to a solution are followed again, to others
-  bool closed;    // but not those of which nothing is polished
+  bool again;   // branches that have led to a solution are followed again, to others
+  bool closed;  // but not those of which nothing is polished
 } Tracker;
 
 static void start_tracker(Tracker* tracker, int branches, int passes, int steps, bool persists) {
-  const Budget budget = {passes, steps, {0, 0, 0}};
+  const Budget budget = {passes, steps, persists, {0, 0, 0}};
   tracker->branches = branches;
   for (int i = 0; i < branches; ++i) tracker->states[i] = unseen;
   tracker->known = nothing_known;
   tracker->budget = budget;
-  tracker->persists = persists;
   tracker->again = tracker->closed = false;
 }
 
@@ -178,7 +176,7 @@ static bool settle_branch(Tracker* tracker, int label, const PointMatching* task
   const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
   const bool same = leads && is_known(known, task->joints, values);
   // A branch that reached another branch's solution from elsewhere may have left its own, which a choice finds.
-  if (!leads || (tracker->persists && same && !are_same(task->joints, &start, values))) {
+  if (!leads || (tracker->budget.persists && same && !are_same(task->joints, &start, values))) {
     if (*state == unseen) *state = missed;
     return false;
   }
@@ -203,7 +201,7 @@ typedef struct SeedTracker {
 } SeedTracker;
 
 static SeedTracker new_seed_tracker(void) {
-  const SeedTracker tracker = {from_form, {6, 60, {0, 0, 0}}};
+  const SeedTracker tracker = {from_form, {6, 60, false, {0, 0, 0}}};
   return tracker;
 }
 

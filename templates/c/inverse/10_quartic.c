@@ -26,7 +26,7 @@ static void follow_again(Visited* visited, bool again) {
 }
 
 static void start_visits(Visited* visited, int branches, int passes, int steps) {
-  const Budget budget = {passes, steps, {0, 0, 0}};
+  const Budget budget = {passes, steps, false, {0, 0, 0}};
   visited->budget = budget;
   memset(visited->marked, 0, sizeof visited->marked);
   visited->branches = branches;

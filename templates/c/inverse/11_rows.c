@@ -195,10 +195,6 @@ static void sort_by_distance(Solutions* found, const double* seed) {
   sort_rows(found->rows, found->count, squares);
 }
 
-/// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
-/// limit to either side. Such a joint is put on the limit itself.
-static const double limit_tolerance = tolerance_on_limit;
-
 static inline double between(double lower, double value, double upper) {
   const double raised = value > lower ? value : lower;
   return raised < upper ? raised : upper;
@@ -213,11 +209,10 @@ static bool representative(bool revolute, double seed, double lower, double uppe
   double value = *q;
   if (revolute) {
     const double turn = constant_whole_turn;
-    const double rounds = 1.5 / DBL_EPSILON;
     const double half = 0.5 * turn - limit_tolerance;
     const double least = lower + half, most = upper - half;
     const double middle = least < most ? between(least, seed, most) : 0.5 * (lower + upper);
-    value += turn * (((middle - value) * (1 / turn) + rounds) - rounds);
+    value += turn * nearest_whole((middle - value) * (1 / turn));
   }
   *q = between(lower, value, upper);
   return fabs(*q - value) <= limit_tolerance;
@@ -254,13 +249,12 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
 /// limits.
 static void count_turns(int joint, double q, double lower, double upper, int* below, int* above) {
   const double turn = constant_whole_turn;
-  const double rounds = 1.5 / DBL_EPSILON;
   const double most = tolerance_most_turns;
   *below = *above = 0;
   if (!whole_is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
   const double low = lower - limit_tolerance, high = upper + limit_tolerance;
-  double down = ((q - low) * (1 / turn) + rounds) - rounds;
-  double up = ((high - q) * (1 / turn) + rounds) - rounds;
+  double down = nearest_whole((q - low) * (1 / turn));
+  double up = nearest_whole((high - q) * (1 / turn));
   if (down > most) down = most;
   if (up > most) up = most;
   // The next whole number may be one too far: the angle decides.

@@ -14,7 +14,7 @@ typedef struct Reaching {
 
 static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int points, double tolerance,
                            int rows, int steps, Solutions* found) {
-  const Budget budget = {0, steps, {0, 0, 0}};
+  const Budget budget = {0, steps, false, {0, 0, 0}};
   set_matching(arm, pose, points, &kept->task);
   kept->tolerance = tolerance;
   kept->is_incomplete = false;

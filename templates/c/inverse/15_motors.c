@@ -2,17 +2,6 @@
 // motors: motors.h and motor_turns.h of the C++ library say how representatives are found. The robot's tables, `motor_of` to
 // `turn_motion`, and `values_of` stand in front of all.
 
-/// Turns that are tried on both sides where limits leave more than `most_turns`, or have no end.
-static const double tried_turns = 16.0;
-
-static const double most_turns = 4096.0;
-
-/// Bounds of the value that a level moves first, made ready to be compared with many rows.
-typedef struct TurnRange {
-  double step, per_step, lower, upper, middle, farthest;
-  bool is_open;  // the nearest turn that is inside stands for all
-} TurnRange;
-
 /// Limits of values, and those that one motion moves alone, ready to be brought next to their centres.
 typedef struct WithinMotors {
   Values lower, upper, centre, per_motion;
@@ -20,11 +9,6 @@ typedef struct WithinMotors {
   TurnRange ranges[bounded];
   Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
 } WithinMotors;
-
-static inline double nearest_whole(double quotient) {
-  const double rounds = 1.5 / DBL_EPSILON;
-  return (quotient + rounds) - rounds;
-}
 
 static inline double whole_above(double value) {
   const double whole = nearest_whole(value);
@@ -42,29 +26,8 @@ static bool is_alone(int level) {
          (level == 0 || turn_ends_block[level - 1]);
 }
 
-/// For limits, and a centre near which values are wanted, of a value that a turn moves by `step`.
-static TurnRange turn_range(double step, double lower, double upper, double centre) {
-  TurnRange range;
-  const double half = 0.5 * step - limit_tolerance;
-  const double between_limits = 0.5 * (larger(lower, -tolerance_farthest_joint) + smaller(upper, tolerance_farthest_joint));
-  const double least = smaller(lower + half, between_limits), most = larger(upper - half, between_limits);
-  range.step = step;
-  range.per_step = 1 / step;
-  range.lower = lower;
-  range.upper = upper;
-  range.middle = smaller(larger(centre, least), most);
-  range.is_open = !(upper - lower < most_turns * step);
-  range.farthest = range.is_open ? tried_turns : most_turns;
-  return range;
-}
-
 static inline bool is_between(double lower, double value, double upper) {
   return value >= lower - limit_tolerance && value <= upper + limit_tolerance;
-}
-
-/// True if two values that differ by turns cannot both be inside.
-static bool has_one_place(const TurnRange* range) {
-  return range->upper - range->lower < range->step - 2 * limit_tolerance;
 }
 
 /// Limits that are not a range admit nothing: no value is between these.
@@ -210,7 +173,7 @@ typedef struct Outwards {
 /// `square`: that of the distance of the levels before. No number is left if none is inside.
 static void start_outwards(const WithinMotors* within, int level, const Values* from, double square, Outwards* tried) {
   const TurnPiece piece = turn_piece(within, level, from);
-  const double farthest = piece.most - piece.least < most_turns ? most_turns : tried_turns;
+  const double farthest = piece.most - piece.least < many_turns ? many_turns : tried_turns;
   tried->from = *from;
   tried->square = square;
   tried->nearest = piece.nearest;
@@ -277,8 +240,7 @@ static bool search_block(const WithinMotors* within, int first, Values* values, 
 
 /// Takes the only number of a level that may be inside.
 static bool take_only(const WithinMotors* within, int level, Values* values) {
-  const TurnRange* range = &within->ranges[level];
-  turn_values(level, nearest_whole((range->middle - values->of[level_begin(level)]) * range->per_step), values);
+  turn_values(level, turns_from(&within->ranges[level], values->of[level_begin(level)]), values);
   return is_inside(within, level, values);
 }
 

@@ -48,7 +48,7 @@ static int keep_near_within_motors(const double* lower, const double* upper, Sol
 /// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above and below.
 static void start_turns(Turns* turns, const Values* from, int level, const TurnRange* range) {
   memcpy(turns->values, from->of, sizeof turns->values);
-  turns->nearest = nearest_whole((range->middle - from->of[level_begin(level)]) * range->per_step);
+  turns->nearest = turns_from(range, from->of[level_begin(level)]);
   turns->away[0] = 0;
   turns->away[1] = 1;
   turns->is_over[0] = turns->is_over[1] = turns->has_one = 0;
@@ -60,7 +60,7 @@ static bool next_turn(Turns* turns, int level, const TurnRange* range, double* n
     const bool goes_down = turns->is_over[0] != 0 || (turns->is_over[1] == 0 && turns->away[1] < turns->away[0]);
     const int side = goes_down ? 1 : 0;
     const double next = turns->nearest + (goes_down ? -turns->away[1] : turns->away[0]);
-    const bool is_over = !is_between(range->lower, turns->values[level_begin(level)] + next * range->step, range->upper) ||
+    const bool is_over = !contains(range, turns->values[level_begin(level)] + next * range->step) ||
                          turns->away[side] > range->farthest;
     turns->is_over[side] = is_over ? 1 : 0;
     *number = next;

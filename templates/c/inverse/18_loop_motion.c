@@ -5,6 +5,7 @@ typedef struct LoopSystem {
   int size;
   double rows[system_size][system_size];  // factors below the diagonal, on it and above
   int order[system_size];                 // of rows, as pivots come
+  double reciprocals[system_size];        // of pivots: a system divides as often as it has rows
   double sign;
 } LoopSystem;
 
@@ -28,10 +29,11 @@ static void factor_system(LoopSystem* s, int size) {
   for (int k = 0; k < size; ++k) {
     bring_pivot_to(s, k);
     const double* pivots = s->rows[s->order[k]];
-    const double pivot = pivots[k];
+    const double pivot = pivots[k], reciprocal = 1 / pivot;
+    s->reciprocals[k] = reciprocal;
     for (int i = k + 1; i < size && pivot != 0; ++i) {
       double* lower = s->rows[s->order[i]];
-      const double factor = lower[k] / pivot;
+      const double factor = lower[k] * reciprocal;
       lower[k] = factor;
       for (int j = k + 1; j < size; ++j) lower[j] -= factor * pivots[j];
     }
@@ -50,7 +52,7 @@ static void solve_system(const LoopSystem* s, const double* right, double* x) {
   for (int k = 0; k < s->size; ++k)
     for (int i = k + 1; i < s->size; ++i) x[i] -= s->rows[s->order[i]][k] * x[k];
   for (int k = s->size - 1; k >= 0; --k) {
-    x[k] /= s->rows[s->order[k]][k];
+    x[k] *= s->reciprocals[k];
     for (int i = 0; i < k; ++i) x[i] -= s->rows[s->order[i]][k] * x[k];
   }
 }
@@ -61,7 +63,7 @@ static void solve_transposed_system(const LoopSystem* s, const double* right, do
   for (int k = 0; k < s->size; ++k) {
     y[k] = right[k];
     for (int i = 0; i < k; ++i) y[k] -= s->rows[s->order[i]][k] * y[i];
-    y[k] /= s->rows[s->order[k]][k];
+    y[k] *= s->reciprocals[k];
   }
   for (int k = s->size - 1; k >= 0; --k)
     for (int i = k + 1; i < s->size; ++i) y[k] -= s->rows[s->order[i]][k] * y[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/continuum.h>
 
 namespace qvgen::inverse {

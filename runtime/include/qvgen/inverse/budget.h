@@ -1,37 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Bounds on the extra work near singular poses, by the arm's structure.
 #pragma once
 
-/// Bounds on the extra work near singular poses. Passes over the branches and evaluations of the Jacobian are
-/// counted, and refused beyond what the arm's structure allows: so no pose can take longer, and a set that
-/// wanted more says so.
+#include <qvgen/inverse/effort.h>
+
 namespace qvgen::inverse {
-
-/// Work beyond closed forms at a pose near a singular one. All zero elsewhere, except the evaluations that
-/// polish the roots of a quartic.
-struct Effort {
-  int passes = 0;        ///< passes over the branches, one by one
-  int steps = 0;         ///< evaluations of the Jacobian, a Newton step each or a test
-  bool used_up = false;  ///< a pass or a step was refused while a branch was still undecided
-};
-
-/// How often each is allowed: counted, so that the bound holds by construction, whatever the pose.
-struct Budget {
-  int passes;
-  int steps;
-  bool persists = false;  ///< further choices are made as long as a branch is without a solution
-  Effort spent = {};
-
-  bool pass() { return take(spent.passes, passes); }
-  bool step() { return take(spent.steps, steps); }
-
- private:
-  bool take(int& spent_so_far, int most) {
-    const bool allowed = spent_so_far < most;
-    spent_so_far += allowed ? 1 : 0;
-    spent.used_up = spent.used_up || !allowed;
-    return allowed;
-  }
-};
 
 /// More passes than any budget allows.
 inline constexpr int most_passes = 1000;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <qvgen/inverse/motor_turns.h>
+#include <qvgen/inverse/turn_numbers.h>
 
 namespace qvgen::inverse {
 

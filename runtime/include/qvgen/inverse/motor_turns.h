@@ -116,7 +116,8 @@ class WithinMotors {
     centre_ = Map::values(centre.unaryExpr(&sensible));
     for_levels([&](auto level) {
       const int pivot = begin_of(level);
-      ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
+      ranges_[level] =
+          turn_range(Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]);
     });
   }
   /// A centre beyond which whole turns are lost in rounding is none, nor is what is no number.
@@ -146,9 +147,10 @@ class WithinMotors {
     const auto at = static_cast<std::size_t>(place);
     const double lower = is_motor(place) ? limits.lower[motor_at(place)] : Map::own_lower[at];
     const double upper = is_motor(place) ? limits.upper[motor_at(place)] : Map::own_upper[at];
-    const bool is_range = lower <= upper && lower < TurnRange::far && upper > -TurnRange::far;
-    lower_[place] = is_range ? lower : TurnRange::far;
-    upper_[place] = is_range ? upper : -TurnRange::far;
+    const bool is_range =
+        lower <= upper && lower < tolerance::farthest_joint && upper > -tolerance::farthest_joint;
+    lower_[place] = is_range ? lower : tolerance::farthest_joint;
+    upper_[place] = is_range ? upper : -tolerance::farthest_joint;
   }
   /// Share of a level's motors in the square of the distance from the centre.
   template <class Level>
@@ -196,7 +198,7 @@ class WithinMotors {
   /// Values of a level move along a line, on which limits leave a piece and the distance has one least value.
   template <class Level>
   Piece piece_of(Level level, const Values& values) const {
-    double least = -TurnRange::far, most = TurnRange::far, wanted = 0, square = 0;
+    double least = -tolerance::farthest_joint, most = tolerance::farthest_joint, wanted = 0, square = 0;
     for (int i = begin_of(level); i < begin_of(level + 1); ++i) {
       const double motion = Map::turns.motion[level][i];
       if (motion != 0) {
@@ -232,7 +234,7 @@ class WithinMotors {
   /// Takes the only number of a level that may be inside.
   template <class Level>
   bool take_only(Level level, Values& values) const {
-    turn(level, ranges_[level].nearest(values[begin_of(level)]), values);
+    turn(level, ranges_[level].turns_from(values[begin_of(level)]), values);
     return is_inside(level, values);
   }
   /// Searches a block from a level on.
@@ -258,8 +260,8 @@ class WithinMotors {
     const Piece piece = piece_of(level, from);
     if (piece.empty()) return;
     const double start = piece.nearest_inside();
-    const bool is_open = !(piece.most - piece.least < TurnRange::most_values);
-    const double farthest = is_open ? TurnRange::tried : TurnRange::most_values;
+    const bool is_open = !(piece.most - piece.least < many_turns);
+    const double farthest = is_open ? tried_turns : many_turns;
     const double most = std::min(piece.most, start + farthest);
     const double least = std::max(piece.least, start - farthest);
     double up = start, down = start - 1;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/continuum.h>
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/whole_arm.h>

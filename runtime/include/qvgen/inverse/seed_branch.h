@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/continuum.h>
 #include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/wrist.h>

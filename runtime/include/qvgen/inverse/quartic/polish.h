@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <qvgen/inverse/budget.h>
+#include <qvgen/inverse/effort.h>
 #include <qvgen/inverse/newton.h>
 #include <qvgen/inverse/quartic/points.h>
 
