@@ -73,7 +73,9 @@ ReadResult result_of_expanded(const fs::path& path, const ReadOptions& options, 
 }
 
 ReadResult failed(const fs::path& path, const std::string& message, const std::string& hint) {
-  return {std::nullopt, {{path.string(), 1, 1, Diagnostic::error, message, hint}}, {}, {}};
+  ReadResult result;
+  result.diagnostics.push_back({path.string(), 1, 1, Diagnostic::error, message, hint});
+  return result;
 }
 
 /// The lines of a program's message as one.

@@ -26,7 +26,9 @@ bool is_blank(std::string_view text) {
 }
 
 ReadResult failed(const Context& context, Place place, const std::string& message, const std::string& hint) {
-  return {std::nullopt, {context.diagnostic(place, message, hint)}, {}, {}};
+  ReadResult result;
+  result.diagnostics.push_back(context.diagnostic(place, message, hint));
+  return result;
 }
 
 /// Mistakes of the file itself first, then those of each file that it names. A place that is read several
@@ -181,6 +183,13 @@ ReadResult read_xml(Context& context, std::string_view text) {
 }
 
 }  // namespace
+
+ReadResult::ReadResult() = default;
+ReadResult::ReadResult(const ReadResult&) = default;
+ReadResult::ReadResult(ReadResult&&) noexcept = default;
+ReadResult& ReadResult::operator=(const ReadResult&) = default;
+ReadResult& ReadResult::operator=(ReadResult&&) noexcept = default;
+ReadResult::~ReadResult() = default;
 
 namespace {
 

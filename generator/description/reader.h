@@ -36,6 +36,13 @@ struct ReadResult {
   model::Loops loops = {};  ///< closures of loops, if there are any
   /// Files that were read besides, sorted: what an MJCF or a xacro includes, meshes whose volume counts.
   std::vector<std::string> files = {};
+
+  ReadResult();
+  ReadResult(const ReadResult&);
+  ReadResult(ReadResult&&) noexcept;
+  ReadResult& operator=(const ReadResult&);
+  ReadResult& operator=(ReadResult&&) noexcept;
+  ~ReadResult();
 };
 
 /// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).

@@ -60,6 +60,8 @@ struct Lead {
 /// the joint's frame.
 using Follows = std::vector<Lead>;
 
+// The special members of Joint, Motor and Robot are compiled once (robot.cpp): a hundred files copy robots.
+
 /// One joint with the link that it moves: link frame(i) = link frame(i-1) * before * motion * after,
 /// motion = rotation about `axis` (revolute) or translation along it (prismatic) by `variable`.
 struct Joint {
@@ -77,6 +79,13 @@ struct Joint {
   /// For joints that branch (mechanism.h): index of the joint whose link carries this one, an earlier one, or
   /// `base_link`. None: the joint before it, as in every chain.
   std::optional<std::size_t> parent = {};
+
+  Joint();
+  Joint(const Joint&);
+  Joint(Joint&&) noexcept;
+  Joint& operator=(const Joint&);
+  Joint& operator=(Joint&&) noexcept;
+  ~Joint();
 };
 
 /// A motor that is no joint itself: joints follow it, by gears, belts or a differential.
@@ -87,6 +96,13 @@ struct Motor {
   Drive drive;
   std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
   std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
+
+  Motor();
+  Motor(const Motor&);
+  Motor(Motor&&) noexcept;
+  Motor& operator=(const Motor&);
+  Motor& operator=(Motor&&) noexcept;
+  ~Motor();
 };
 
 /// In place of a joint's index: the link that no joint moves.
@@ -149,6 +165,13 @@ struct Robot {
   std::vector<std::string> on_request = {};
   std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
   std::optional<Inertia> floating_base = {};  ///< of the base in its own frame, if the base moves freely
+
+  Robot();
+  Robot(const Robot&);
+  Robot(Robot&&) noexcept;
+  Robot& operator=(const Robot&);
+  Robot& operator=(Robot&&) noexcept;
+  ~Robot();
 };
 
 /// The symbols in the frames, axes and offsets of a robot, sorted, each once; those of named frames not.
