@@ -4,8 +4,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -39,7 +40,9 @@ std::optional<std::string> content_of(const fs::path& path) {
     fail("read", path, errno);
   }
   if (fs::is_directory(path)) fail("read", path, EISDIR);
-  return std::string(std::istreambuf_iterator<char>(file), {});
+  std::ostringstream content;
+  content << file.rdbuf();
+  return std::move(content).str();
 }
 
 void replace_file(const fs::path& path, const std::string& content, const fs::path& temporary) {

@@ -42,6 +42,7 @@ toolchain::Program compilation(const model::Robot& robot, const pipeline::RobotO
   toolchain::Program program{toolchain::cxx_compiler(), toolchain::options_of_all(runtime), prepared.sources,
                              prepared.libraries};
   program.folder = folder;
+  program.kept = fs::absolute(toolchain::cache_folder()) / "objects";
   program.options.insert(program.options.end(), {"-I.", "-Iinclude"});
   std::vector<fs::path> generated;
   for (const pipeline::OutputFile& file : output.files)

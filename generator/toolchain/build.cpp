@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "toolchain/kept_objects.h"
 #include "toolchain/workshop.h"
 
 namespace qvgen::toolchain {
@@ -35,12 +36,31 @@ Outcome run_shown(const Words& words, const fs::path& folder) {
   return {false, command + "\n" + shortened(outcome.said)};
 }
 
-std::string object_of(std::size_t number, const fs::path& folder) {
-  return (folder / (std::to_string(number) + ".o")).string();
+/// Paths of the objects of all sources.
+std::vector<fs::path> objects_of(const Program& program, const fs::path& folder) {
+  std::vector<fs::path> objects;
+  for (const Source& source : program.sources)
+    objects.push_back(program.kept.empty() ? folder / (std::to_string(objects.size()) + ".o")
+                                           : kept_object(program, source));
+  return objects;
+}
+
+/// Compiles a source unless its object is there, which appears whole or not at all.
+Outcome compile(const Program& program, const Source& source, const fs::path& object,
+                const fs::path& temporary) {
+  if (fs::exists(object)) return {true, ""};
+  const Words output{"-c", source.file.string(), "-o", temporary.string()};
+  const Outcome outcome =
+      run_shown(program.compiler + program.options + source.options + output, program.folder);
+  if (!outcome.done) return outcome;
+  fs::create_directories(object.parent_path());
+  fs::rename(temporary, object);
+  return outcome;
 }
 
 /// Outcomes of all sources, in their order; those behind one that has failed may not have been tried.
-std::vector<Outcome> compile_all(const Program& program, const fs::path& folder, const Progress& progress) {
+std::vector<Outcome> compile_all(const Program& program, const std::vector<fs::path>& objects,
+                                 const fs::path& folder, const Progress& progress) {
   const std::size_t count = program.sources.size();
   std::vector<Outcome> outcomes(count);
   std::atomic<std::size_t> next = 0;
@@ -49,9 +69,7 @@ std::vector<Outcome> compile_all(const Program& program, const fs::path& folder,
   const auto work = [&] {
     for (std::size_t i = next++; i < count && !failed; i = next++) {
       const Source& source = program.sources[i];
-      outcomes[i] = run_shown(program.compiler + program.options + source.options +
-                                  Words{"-c", source.file.string(), "-o", object_of(i, folder)},
-                              program.folder);
+      outcomes[i] = compile(program, source, objects[i], folder / (std::to_string(i) + ".new"));
       if (!outcomes[i].done) failed = true;
       const std::lock_guard<std::mutex> lock(telling);
       if (progress) progress(source.file.filename().string());
@@ -83,14 +101,15 @@ std::string missing(const Words& compiler) {
 Outcome build(const Program& program, const fs::path& target, const Progress& progress) {
   fs::create_directories(fs::absolute(target).parent_path());
   const Workshop workshop(fs::absolute(target).parent_path());  // on the same file system
-  Words objects;
-  const std::vector<Outcome> outcomes = compile_all(program, workshop.folder(), progress);
+  const std::vector<fs::path> objects = objects_of(program, workshop.folder());
+  const std::vector<Outcome> outcomes = compile_all(program, objects, workshop.folder(), progress);
   for (const Outcome& outcome : outcomes)
     if (!outcome.done && !outcome.said.empty()) return outcome;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) objects.push_back(object_of(i, workshop.folder()));
+  Words linked_files;
+  for (const fs::path& object : objects) linked_files.push_back(object.string());
   const fs::path whole = workshop.folder() / "program";
-  const Outcome linked =
-      run_shown(program.compiler + Words{"-o", whole.string()} + objects + program.libraries, program.folder);
+  const Outcome linked = run_shown(
+      program.compiler + Words{"-o", whole.string()} + linked_files + program.libraries, program.folder);
   if (linked.done) fs::rename(whole, target);
   return linked;
 }

@@ -24,6 +24,8 @@ struct Program {
   std::vector<std::string> libraries = {};  ///< the last words of the linker's command
   /// Folder in which the compiler runs: what it is told may be relative to it, so that ccache knows it again.
   std::filesystem::path folder = ".";
+  /// Folder that keeps objects for other programs (kept_objects.h); empty: none is kept.
+  std::filesystem::path kept = {};
 };
 
 /// Told the name of each file as it is done.

@@ -37,14 +37,15 @@ arm third more_variables locals >"$scratch/third.toml"
   || { cat "$scratch/messages"; fail "generate"; }
 counts() { "$tool" counts --format csv -o "$scratch/out" | sed -n "s/^$1,inverse_kinematics,//p"; }
 [[ -n $(counts plain) ]] || fail "no counts"
+# The compiler's own dialect knows more words than the standard's; that this is enough, one robot shows. Robots that are compiled
+# as one read the headers once.
 for robot in first second third; do
   # Other names give the arm the same derivation.
   [[ $(counts "$robot") == "$(counts plain)" ]] || fail "counts of $robot"
-  # The compiler's own dialect knows more words than the standard's; that this is enough, one robot shows.
-  dialects=(gnu++20)
-  [[ $robot != first ]] || dialects+=(c++17)
-  for dialect in "${dialects[@]}"; do
-    "$cxx" -std=$dialect -O0 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -isystem "$eigen" -I"$runtime" \
-      -I"$scratch/out/include" "$scratch/out/source/$robot/inverse.cpp" || fail "$robot in $dialect"
-  done
+  echo "#include \"out/source/$robot/inverse.cpp\"" >>"$scratch/gnu++20.cpp"
+done
+head -1 "$scratch/gnu++20.cpp" >"$scratch/c++17.cpp"
+for dialect in gnu++20 c++17; do
+  "$cxx" -std=$dialect -O0 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -isystem "$eigen" -I"$runtime" \
+    -I"$scratch/out/include" "$scratch/$dialect.cpp" || fail "in $dialect"
 done

@@ -8,7 +8,7 @@ rm -rf "$output"
 "$tool" generate "$description" --output "$output"
 "$tool" show "$description" --latex
 "$tool" map "$description" --resolution 0.2 -o "$output/map.npz" -o "$output/map.svg"
-for file in "$output"/source/my_arm/*.cpp; do
-  "$compiler" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only \
-    -I "$output/include" -I "$source/runtime/include" -isystem /usr/include/eigen3 "$file"
-done
+# All files as one, which read the headers once.
+printf '#include "%s"\n' "$output"/source/my_arm/*.cpp >"$output/whole.cpp"
+"$compiler" -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only \
+  -I "$output/include" -I "$source/runtime/include" -isystem /usr/include/eigen3 "$output/whole.cpp"

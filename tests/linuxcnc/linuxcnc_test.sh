@@ -23,11 +23,11 @@ for description in puma560 ns "$source"/tests/motors/{bevel_arm,gantry}.toml "$h
 const int test_dof_is = ${robot}_dof;
 void test_matrix(const double* q, double result[4][4]) { ${robot}_homogeneous_transform(q, &${robot}_default_geometry, result); }
 EOF
-  "$cc" "${warnings[@]}" -O2 -I"$here/interface" -I"$work/c" -c "$component" -o "$work/kins.o"
-  "$cc" -std=c99 -O2 -I"$work/c" -c "$work/$robot.c" -o "$work/robot.o"
+  "$cc" "${warnings[@]}" -O1 -I"$here/interface" -I"$work/c" -c "$component" -o "$work/kins.o"
+  "$cc" -std=c99 -O0 -I"$work/c" -c "$work/$robot.c" -o "$work/robot.o"
   objcopy --keep-global-symbol=test_dof_is --keep-global-symbol=test_matrix --keep-global-symbol=test_is_revolute \
     --redefine-sym "${robot}_is_revolute=test_is_revolute" "$work/robot.o"
-  "$cc" -std=c99 -O1 -I"$here/interface" "-DROBOT(name)=test_##name" -DROBOT_REVOLUTE=test_is_revolute "-DDIRECTION=${direction[$robot]-0}" "-DGIVEN=${given[$robot]--1}" \
+  "$cc" -std=c99 -O0 -I"$here/interface" "-DROBOT(name)=test_##name" -DROBOT_REVOLUTE=test_is_revolute "-DDIRECTION=${direction[$robot]-0}" "-DGIVEN=${given[$robot]--1}" \
     "$here/module_test.c" "$work/kins.o" "$work/robot.o" -lm -o "$work/${robot}_test"
   echo "$robot: $("$work/${robot}_test")"
 done

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A sentence says what is missing for compiling a robot."""
 
+import ctypes
 import sys
 
 import pytest
@@ -44,3 +45,16 @@ def test_the_compilers_own_words_are_shown(tmp_path):
     with pytest.raises(BuildError, match="expected"):
         _library.linked(tmp_path / "made/x.so", ["cc"], [(("x.c", "int x"), ["-fPIC"])])
     assert list((tmp_path / "made").iterdir()) == []
+
+
+def test_own_options_of_the_compiler(tmp_path, monkeypatch):
+    """CFLAGS stand behind the options that every robot has, and make a library of their own."""
+    (tmp_path / "arm.h").write_text("")
+    (tmp_path / "arm.c").write_text("int plus(void) { return PLUS; }\n")
+    monkeypatch.setenv("QVGEN_CACHE", str(tmp_path / "cache"))
+    libraries = []
+    for plus in (1, 2):
+        monkeypatch.setenv("CFLAGS", f"-DPLUS={plus}")
+        libraries.append(_library.c_library("arm", [tmp_path / "arm.c"], ""))
+        assert ctypes.CDLL(str(libraries[-1])).plus() == plus
+    assert libraries[0] != libraries[1]

@@ -88,6 +88,39 @@ TEST(Build, CompilesEachSourceInItsOwnWayAndLinks) {
   EXPECT_EQ(entries_in(target.parent_path()), 1U);
 }
 
+/// Programs by a compiler that counts its calls, one of which links.
+TEST(Build, CompilesKeptObjectsOnlyWhereTheirTextOrTheirCommandChanges) {
+  const Workshop workshop;
+  workshop.write("include/deep.h", "#define VALUE 42\n");
+  workshop.write("include/value.h", " # include <deep.h>\nint value();\n");
+  workshop.write("value.cpp", "#include \"value.h\"\nint value() { return VALUE; }\n");
+  workshop.write("main.cpp", "#include <value.h>\nint main() { return value() - 42 - OTHER; }\n");
+  std::vector<std::string> compiler{"sh", "-c", "echo >>calls; exec \"$@\"", "sh"};
+  for (const std::string& word : cxx_compiler()) compiler.push_back(word);
+  Program program{compiler, {"-Iinclude", "-DOTHER=0"}, {{"main.cpp"}, {"value.cpp"}}, {}, workshop.folder()};
+  program.kept = workshop.folder() / "kept";
+  std::size_t before = 0;
+  const auto calls_of = [&](bool ends_well) {
+    const fs::path target = workshop.folder() / "program";
+    EXPECT_TRUE(build(program, target).done);
+    EXPECT_EQ(run({target.string()}).done, ends_well);
+    const std::size_t now = workshop.read("calls").size(), calls = now - before;
+    before = now;
+    return calls;
+  };
+  EXPECT_EQ(calls_of(true), 3U);
+  EXPECT_EQ(calls_of(true), 1U);
+  workshop.write("include/deep.h", "#define VALUE 43\n");
+  EXPECT_EQ(calls_of(false), 3U);
+  workshop.write("value.cpp", "#include \"value.h\"\nint value() { return VALUE - 1; }\n");
+  EXPECT_EQ(calls_of(true), 2U);
+  program.sources.back().options = {"-DMORE"};
+  EXPECT_EQ(calls_of(true), 2U);
+  program.options.back() = "-DOTHER=1";
+  EXPECT_EQ(calls_of(false), 3U);
+  EXPECT_EQ(entries_in(program.kept), 8U);
+}
+
 TEST(Build, SaysWhatTheCompilerSaysAndLeavesNothing) {
   const Workshop workshop;
   workshop.write("wrong.cpp", "int main() { return unheard_of; }\n");

@@ -56,6 +56,11 @@ def compiler(variable, usual):
     return [usual]
 
 
+def own_options(variable):
+    """Options of CFLAGS or CXXFLAGS, which stand behind those that every robot has."""
+    return shlex.split(os.environ.get(variable, ""))
+
+
 def check(command):
     """Says in a sentence that there is no compiler."""
     if shutil.which(command[0]) is None:
@@ -107,13 +112,13 @@ C_OPTIONS = ["-std=c99", "-O2", "-fPIC", "-ffp-contract=off", "-fno-math-errno"]
 
 def c_library(robot, sources, rows):
     """Path of the library of a robot's C files and of the text of its loops."""
-    command = compiler("CC", "cc")
+    command, own = compiler("CC", "cc"), own_options("CFLAGS")
     headers = sorted({*(HERE.glob("*.h")), *(source.with_suffix(".h") for source in sources)})
-    key = hash_of([rows, *command, *(each.read_bytes() for each in [*sources, *headers])])
+    key = hash_of([rows, *command, *own, *(each.read_bytes() for each in [*sources, *headers])])
     target = cache_folder() / f"{robot}-{key}" / f"{robot}.so"
     if not target.exists():
         check(command)
-        options = [*C_OPTIONS, f"-I{sources[0].parent}", f"-I{HERE}"]
+        options = [*C_OPTIONS, *own, f"-I{sources[0].parent}", f"-I{HERE}"]
         linked(target, command, [(("rows.c", rows), options), *((source, options) for source in sources)], ["-lm"])
     return target
 
@@ -153,13 +158,13 @@ def cxx_library(robot, generated, rows, is_own, tips=None):
 
     `is_own`: one of this source tree's robots. `tips`: limbs that its closed loops call, with the parts of each.
     """
-    command = compiler("CXX", "c++")
+    command, options = compiler("CXX", "c++"), own_options("CXXFLAGS")
     own = sorted((generated / "source" / robot).glob("*.cpp"))
     limbs = [generated / "source" / tip / f"{part}.cpp" for tip, parts in (tips or {}).items() for part in parts]
     own += [source for source in limbs if source.exists()]  # lanes are there for some
     made_of = [*own, *(generated / "include/qvgen/robots" / robot).glob("*"), *HERE.glob("*.h"),
                *(ROOT / "runtime/include").rglob("*.h"), *(ROOT / "runtime/source").rglob("*.h"), *_runtime_sources()]
-    key = hash_of([rows, *command, *(path.read_bytes() for path in sorted(made_of))])
+    key = hash_of([rows, *command, *options, *(path.read_bytes() for path in sorted(made_of))])
     target = cache_folder() / f"{robot}-{key}" / f"{robot}_cxx.so"
     if target.exists():
         return target
@@ -169,8 +174,8 @@ def cxx_library(robot, generated, rows, is_own, tips=None):
     libraries = [_built(f"libqvgen_runtime_{each}.a") for each in _LIBRARIES]
     sources = [] if robot_library else own
     sources = sources + ([] if all(libraries) else _runtime_sources())
-    includes = [f"-I{each}" for each in folders]
-    jobs = [(("rows.cpp", rows), ["-std=c++17", "-O1", "-fPIC", "-fvisibility=hidden", "-Wno-psabi", *includes])]
-    jobs += [(source, [*_cxx_options(source), *includes]) for source in sources]
+    options += [f"-I{each}" for each in folders]
+    jobs = [(("rows.cpp", rows), ["-std=c++17", "-O1", "-fPIC", "-fvisibility=hidden", "-Wno-psabi", *options])]
+    jobs += [(source, [*_cxx_options(source), *options]) for source in sources]
     linked(target, command, jobs, [*([robot_library] if robot_library else []), *(libraries if all(libraries) else [])])
     return target
