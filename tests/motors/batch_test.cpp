@@ -1,79 +1,115 @@
 // SPDX-License-Identifier: MIT
-// Batches of arms with motors: the rows and the bits of single calls.
+// Batches of arms with motors, and of several given joints: the rows and the bits of single calls.
 #include <gtest/gtest.h>
+#include <qvgen/robots/bevel_arm.h>
 #include <qvgen/robots/bevel_arm/batch.h>
+#include <qvgen/robots/rail_seven.h>
+#include <qvgen/robots/rail_seven/batch.h>
 
 #include "arms.h"
 
 namespace qvgen::test {
 namespace {
 
-constexpr std::size_t count = 100;
-
-/// Poses of random motors, some singular and one that is none, and room for solutions.
-template <class Arm, int capacity>
-struct Rows {
-  Rows()
-      : poses(7 * count),
-        motors(Arm::dof * count),
-        q(Arm::dof * capacity * count),
-        counts(count),
-        states(count) {
+/// Poses of random motors, and room for solutions.
+class Batches {
+ public:
+  Batches(const Arm& arm, std::size_t count, double size) : arm_(arm), count_(count) {
     std::mt19937 random(3);
-    const Arm arm;
-    for (std::size_t k = 0; k < count; ++k) {
-      typename Arm::Vector at = arm.random_motors(random, 3);
-      if (k % 10 == 0) at.tail(3).setZero();
-      const auto pose = Arm::pose(at);
-      const double numbers[7] = {pose.orientation.w(),
-                                 pose.orientation.x(),
-                                 pose.orientation.y(),
-                                 pose.orientation.z(),
-                                 k == 7 ? 30 : pose.position.x(),
-                                 pose.position.y(),
-                                 pose.position.z()};
-      for (std::size_t i = 0; i < 7; ++i) poses[i * count + k] = numbers[i];
-      for (std::size_t i = 0; i < Arm::dof; ++i) motors[i * count + k] = at[static_cast<Eigen::Index>(i)];
+    for (std::size_t k = 0; k < count; ++k) motors_.push_back(arm.random_motors(random, size));
+    q_.resize(static_cast<std::size_t>(arm.dof * arm.info.capacity) * count);
+    counts_.resize(count);
+    states_.resize(count);
+  }
+  VectorXd& motors(std::size_t k) { return motors_[k]; }
+
+  /// Poses as a batch reads them, one that is none among them.
+  Batch<const double> poses() {
+    poses_.resize(7 * count_);
+    for (std::size_t k = 0; k < count_; ++k) {
+      const auto pose = pose_at(k);
+      const double numbers[] = {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
+                                pose.orientation.z(), pose.position.x(),    pose.position.y(),
+                                pose.position.z()};
+      for (std::size_t i = 0; i < 7; ++i) poses_[i * count_ + k] = numbers[i];
     }
+    return {poses_.data(), count_};
   }
-  [[nodiscard]] qvgen::Pose<double> pose(std::size_t k) const {
-    const auto at = [&](std::size_t i) { return poses[i * count + k]; };
-    return {Eigen::Quaterniond(at(0), at(1), at(2), at(3)), Vector3<double>(at(4), at(5), at(6))};
+  /// Values of some joints of the motors, behind one another.
+  Batch<const double> joints(std::vector<double>& room, const std::vector<int>& which) {
+    room.clear();
+    for (const int i : which)
+      for (const VectorXd& q : motors_) room.push_back(q[i]);
+    return {room.data(), count_};
   }
-  [[nodiscard]] typename Arm::Vector seed(std::size_t k) const {
-    return Arm::Vector::NullaryExpr(
-        [&](Eigen::Index i) { return motors[static_cast<std::size_t>(i) * count + k]; });
+  Batch<const double> given() { return joints(given_, arm_.given); }
+  Batch<const double> seeds() {
+    std::vector<int> all;
+    for (int i = 0; i < arm_.dof; ++i) all.push_back(i);
+    return joints(seeds_, all);
   }
   BatchOfSolutions found() {
-    return {{q.data(), count}, {counts.data(), count}, {states.data(), count}, {}, {}};
+    return {{q_.data(), count_}, {counts_.data(), count_}, {states_.data(), count_}, {}, {}};
   }
 
-  template <class Found>
-  void expect_same(std::size_t k, const Found& single) const {
-    ASSERT_EQ(counts[k], single.size()) << k;
-    EXPECT_EQ(states[k], single.status);
-    for (int s = 0; s < single.size(); ++s)
-      for (int i = 0; i < Arm::dof; ++i)
-        EXPECT_EQ(q[static_cast<std::size_t>(s * Arm::dof + i) * count + k], single[s].q[i]) << k;
+  /// Single calls, which are asked for as much as the batch was.
+  void expect_single_calls(bool is_seeded, const Bounds* limits) {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Asked asked{is_seeded ? &motors_[k] : nullptr, limits};
+      const Rows single = arm_.functions.solve(motors_[k], pose_at(k), asked);
+      ASSERT_EQ(static_cast<std::size_t>(counts_[k]), single.size) << k;
+      EXPECT_EQ(states_[k], single.status);
+      for (std::size_t s = 0; s < single.size; ++s)
+        for (int i = 0; i < arm_.dof; ++i) {
+          const auto row = s * static_cast<std::size_t>(arm_.dof) + static_cast<std::size_t>(i);
+          EXPECT_EQ(q_[row * count_ + k], single[s].q[i]) << k;
+        }
+    }
   }
 
-  std::vector<double> poses, motors, q;
-  std::vector<int> counts;
-  std::vector<Status> states;
+ private:
+  [[nodiscard]] qvgen::Pose<double> pose_at(std::size_t k) const {
+    auto pose = arm_.pose(motors_[k]);
+    if (k == 7) pose.position.x() = 30;
+    return pose;
+  }
+  const Arm& arm_;
+  std::size_t count_;
+  std::vector<VectorXd> motors_;
+  std::vector<double> poses_, given_, seeds_, q_;
+  std::vector<int> counts_;
+  std::vector<Status> states_;
 };
 
+/// The limits of an arm's motors.
+template <class Limits>
+Bounds bounds(const Limits& limits) {
+  return {limits.lower, limits.upper};
+}
+
 TEST(MotorBatch, HasTheBitsOfSingleCalls) {
-  namespace arm = robots::bevel_arm;
-  Rows<BevelArm, arm::inverse_info.capacity> rows;
-  const Batch<const double> poses(rows.poses.data(), count), seeds(rows.motors.data(), count);
-  arm::inverse_kinematics(poses, rows.found());
-  for (std::size_t k = 0; k < count; ++k) rows.expect_same(k, arm::inverse_kinematics(rows.pose(k)));
-  arm::inverse_kinematics(poses, seeds, rows.found());
-  for (std::size_t k = 0; k < count; ++k)
-    rows.expect_same(k, arm::inverse_kinematics(rows.pose(k), rows.seed(k)));
-  arm::inverse_kinematics(poses, seeds, arm::Limits(), rows.found());
-  for (std::size_t k = 0; k < count; ++k)
-    rows.expect_same(k, arm::inverse_kinematics(rows.pose(k), rows.seed(k), arm::Limits()));
+  namespace robot = robots::bevel_arm;
+  Batches batches(arm_named("bevel_arm"), 100, 3);
+  for (std::size_t k = 0; k < 100; k += 10) batches.motors(k).tail(3).setZero();  // singular
+  const auto poses = batches.poses(), seeds = batches.seeds();
+  robot::inverse_kinematics(poses, batches.found());
+  batches.expect_single_calls(false, nullptr);
+  robot::inverse_kinematics(poses, seeds, batches.found());
+  batches.expect_single_calls(true, nullptr);
+  robot::inverse_kinematics(poses, seeds, robot::Limits(), batches.found());
+  const Bounds limits = bounds(robot::Limits());
+  batches.expect_single_calls(true, &limits);
+}
+
+TEST(RailSevenBatch, HasTheBitsOfSingleCalls) {
+  namespace robot = robots::rail_seven;
+  Batches batches(arm_named("rail_seven_by_the_last"), 60, 2);
+  const auto poses = batches.poses(), given = batches.given(), seeds = batches.seeds();
+  robot::inverse_kinematics_given_rail_theta7(poses, given, batches.found());
+  batches.expect_single_calls(false, nullptr);
+  robot::inverse_kinematics_given_rail_theta7(poses, given, seeds, robot::Limits(), batches.found());
+  const Bounds limits = bounds(robot::Limits());
+  batches.expect_single_calls(true, &limits);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arms with motors: poses, Jacobians and solutions in motors, against the reference.
-#include <limits>
-
 #include <gtest/gtest.h>
+#include <qvgen/robots/bevel_arm.h>
 
 #include "arms.h"
 #include "reference/chain.h"
@@ -10,107 +9,96 @@
 namespace qvgen::test {
 namespace {
 
-template <class Arm>
-class Motors : public testing::Test {
+class Motors : public OfEachArm {
  protected:
-  using Vector = typename Arm::Vector;
-  Arm arm_;
   std::mt19937 random_{11};
 };
-TYPED_TEST_SUITE(Motors, MotorArms);
+INSTANTIATE_TEST_SUITE_P(Of, Motors, testing::Values("bevel_arm", "belt_scara", "geared_seven"), name_of);
 
-TYPED_TEST(Motors, AreWhatTheFunctionsHaveValuesFor) {
-  const std::vector<std::string> names(TypeParam::names.begin(), TypeParam::names.end());
-  EXPECT_EQ(names, this->arm_.chain.driven());
-}
+TEST_P(Motors, AreWhatTheFunctionsHaveValuesFor) { EXPECT_EQ(arm_.names, arm_.chain.driven()); }
 
-TYPED_TEST(Motors, MoveTheToolAsTheReferenceSays) {
+TEST_P(Motors, MoveTheToolAsTheReferenceSays) {
   for (int k = 0; k < 200; ++k) {
-    const auto q = this->arm_.random_motors(this->random_, 4);
-    EXPECT_LT(this->arm_.error_of(q, TypeParam::pose(q)), 1e-12);
-  }
-}
-
-template <class Arm>
-void expect_jacobians() {
-  const Arm arm;
-  std::mt19937 random(2);
-  for (int k = 0; k < 200; ++k) {
-    const auto q = arm.random_motors(random, 4);
-    EXPECT_LT((Arm::jacobian(q) - reference::jacobian(arm.chain, q)).norm(), 1e-11);
+    const VectorXd q = arm_.random_motors(random_, 4);
+    EXPECT_LT(arm_.error_of(q, arm_.pose(q)), 1e-12);
   }
 }
 
 TEST(MotorJacobians, AreTheReferences) {
-  expect_jacobians<BeltScara>();
-  expect_jacobians<GearedSeven>();
+  for (const char* name : {"belt_scara", "geared_seven"}) {
+    const Arm& arm = arm_named(name);
+    std::mt19937 random(2);
+    for (int k = 0; k < 200; ++k) {
+      const VectorXd q = arm.random_motors(random, 4);
+      EXPECT_LT((arm.functions.jacobian(q) - reference::jacobian(arm.chain, q)).norm(), 1e-11) << name;
+    }
+  }
 }
 
 /// Every row reaches the pose, and the motors that it was made from are among the rows, but for whole turns.
-TYPED_TEST(Motors, AreFoundFromPoses) {
+TEST_P(Motors, AreFoundFromPoses) {
   for (int k = 0; k < 500; ++k) {
-    const auto q = this->arm_.random_motors(this->random_, 4);
-    const auto pose = TypeParam::pose(q);
-    const auto found = TypeParam::solve(q, pose);
+    const VectorXd q = arm_.random_motors(random_, 4);
+    const auto pose = arm_.pose(q);
+    const Rows found = arm_.solve(q, pose);
     ASSERT_EQ(found.status, Status::solved);
     bool is_there = false;
-    for (const auto& row : found) {
-      EXPECT_LT(this->arm_.error_of(row.q, pose), 1e-9);
-      const auto joints = this->arm_.joints(row.q);
-      for (int i = 0; i < TypeParam::dof; ++i)
-        if (this->arm_.chain.joints[static_cast<std::size_t>(i)].revolute) {
+    for (const Row& row : found) {
+      EXPECT_LT(arm_.error_of(row.q, pose), 1e-9);
+      const VectorXd joints = arm_.joints(row.q);
+      for (int i = 0; i < arm_.dof; ++i)
+        if (arm_.is_revolute(i)) {
           EXPECT_LE(std::abs(joints[i]), M_PI + 1e-12);
         }
-      is_there = is_there || this->arm_.is_same(row.q, q);
+      is_there = is_there || arm_.is_same(row.q, q);
     }
     EXPECT_TRUE(is_there);
   }
 }
 
-TYPED_TEST(Motors, NextToASeedComeFirst) {
+TEST_P(Motors, NextToASeedComeFirst) {
   for (int k = 0; k < 300; ++k) {
-    const auto q = this->arm_.random_motors(this->random_, 4);
-    const auto found = TypeParam::solve(q, TypeParam::pose(q), q);
+    const VectorXd q = arm_.random_motors(random_, 4);
+    const Rows found = arm_.solve(q, arm_.pose(q), q);
     ASSERT_FALSE(found.empty());
-    EXPECT_TRUE(this->arm_.is_same(found[0].q, q));
+    EXPECT_TRUE(arm_.is_same(found[0].q, q));
   }
 }
 
 /// Joints within half a turn of the seed's: the motors that the pose was made from, turns and all.
-TYPED_TEST(Motors, OnASeedsBranchAreTheSeeds) {
+TEST_P(Motors, OnASeedsBranchAreTheSeeds) {
   for (int k = 0; k < 300; ++k) {
-    const auto q = this->arm_.random_motors(this->random_, 15);
-    auto seed = q;
-    seed += this->arm_.random_motors(this->random_, 1e-3);
+    const VectorXd q = arm_.random_motors(random_, 15);
+    VectorXd seed = q + arm_.random_motors(random_, 1e-3);
     seed[0] = q[0];
-    const auto near = TypeParam::near(q, TypeParam::pose(q), seed);
-    ASSERT_EQ(near.size(), 1) << k;
-    EXPECT_LT((near[0].q - q).norm(), 1e-7);
+    const Rows near = arm_.near(q, arm_.pose(q), seed);
+    ASSERT_EQ(near.size, 1U) << k;
+    EXPECT_LT(distance(near[0].q, q), 1e-7);
   }
 }
 
-TYPED_TEST(Motors, AreMarkedAtSingularPoses) {
-  const auto q = TypeParam::Vector::Zero().eval();  // stretched, the wrist straight
-  const auto pose = TypeParam::pose(q);
-  for (const auto& row : TypeParam::solve(q, pose, q)) EXPECT_LT(this->arm_.error_of(row.q, pose), 1e-9);
-  const auto near = TypeParam::near(q, pose, q);
-  ASSERT_EQ(near.size(), 1);
+TEST_P(Motors, AreMarkedAtSingularPoses) {
+  const VectorXd q = arm_.constant(0);  // stretched, the wrist straight
+  const auto pose = arm_.pose(q);
+  for (const Row& row : arm_.solve(q, pose, q)) EXPECT_LT(arm_.error_of(row.q, pose), 1e-9);
+  const Rows near = arm_.near(q, pose, q);
+  ASSERT_EQ(near.size, 1U);
   EXPECT_LT(near[0].q.norm(), 1e-6);
 }
 
-TYPED_TEST(Motors, AreNoneForWhatIsNoPose) {
-  const auto q = TypeParam::Vector::Zero().eval();
-  auto pose = TypeParam::pose(q);
+TEST_P(Motors, AreNoneForWhatIsNoPose) {
+  const VectorXd q = arm_.constant(0);
+  auto pose = arm_.pose(q);
   pose.position[0] = nan;
-  EXPECT_EQ(TypeParam::solve(q, pose).status, Status::invalid);
-  EXPECT_EQ(TypeParam::near(q, pose, q).status, Status::invalid);
+  EXPECT_EQ(arm_.solve(q, pose).status, Status::invalid);
+  EXPECT_EQ(arm_.near(q, pose, q).status, Status::invalid);
   pose.position[0] = 50;
-  EXPECT_EQ(TypeParam::solve(q, pose).status, Status::unreachable);
-  auto seed = q;
+  EXPECT_EQ(arm_.solve(q, pose).status, Status::unreachable);
+  VectorXd seed = q;
   seed[1] = nan;
-  EXPECT_EQ(TypeParam::solve(q, TypeParam::pose(q), seed).status, Status::invalid);
-  seed[1] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(TypeParam::near(q, TypeParam::pose(q), seed).status, Status::invalid);
+  EXPECT_EQ(arm_.solve(q, arm_.pose(q), seed).status, Status::invalid);
+  seed[1] = infinity;
+  EXPECT_EQ(arm_.near(q, arm_.pose(q), seed).status, Status::invalid);
 }
 
 TEST(BevelArmModel, HasLimitsAndSpeedsOfMotors) {
@@ -121,7 +109,7 @@ TEST(BevelArmModel, HasLimitsAndSpeedsOfMotors) {
   EXPECT_EQ(arm::velocity_limits[4], 5);
   EXPECT_EQ(arm::effort_limits[5], 12);
   EXPECT_EQ(arm::joints::upper_limits[2], 150 * M_PI / 180);
-  EXPECT_EQ(robots::geared_seven::inverse_info_given_rail.given_joint, 0);
+  EXPECT_EQ(arm_named("geared_seven").info.given_joint, 0);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several given joints beside a part of a pose, in C++ and C: rows keep the given values and reach that part,
 // the joints that it was made from are there. The reference has equations of its own.
-#include <iterator>
-#include <limits>
+#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -21,23 +20,22 @@
 #include <qvgen_torso_torch_inverse.h>
 #include <qvgen_turned_level_inverse.h>
 
-#include "reference/load.h"
+#include "in_c.h"
 
 namespace qvgen::test {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double pi = 3.14159265358979323846;
 
 /// An arm by the reference's chain, which has a reader of its own.
 class Reference {
  public:
   explicit Reference(const std::string& name)
       : chain_(reference::load(std::string(QVGEN_MOTOR_ARMS) + "/" + name + ".toml")) {}
-  [[nodiscard]] Eigen::Isometry3d tool(const Eigen::VectorXd& q) const {
+  [[nodiscard]] Eigen::Isometry3d tool(const VectorXd& q) const {
     return reference::forward_kinematics(chain_, q);
   }
-  [[nodiscard]] Vector3d axis(const Eigen::VectorXd& q, std::size_t joint) const {
+  [[nodiscard]] Vector3d axis(const VectorXd& q, std::size_t joint) const {
     return reference::joint_places(chain_, q)[joint].axis;
   }
 
@@ -45,291 +43,236 @@ class Reference {
   reference::Chain chain_;
 };
 
-struct RailPitch {
-  static constexpr const char* name = "rail_pitch";
-  static constexpr int dof = 6, given[] = {0, 5};
-  static constexpr auto& info = robots::rail_pitch::inverse_info_given_rail_roll;
-  using Task = PositionAndPitch<double>;
-  using Set = rail_pitch_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    const Vector3d base = arm.axis(q, 1), across = arm.axis(q, 2), along = arm.tool(q).linear().col(0);
-    return {arm.tool(q).translation(), std::atan2(across.dot(base.cross(along)), base.dot(along))};
-  }
-  static double miss(const Task& a, const Task& b) { return std::remainder(a.pitch - b.pitch, 2 * pi); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::rail_pitch::inverse_kinematics_given_rail_roll(asked, q[0], q[5], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::rail_pitch::inverse_kinematics_near_given_rail_roll(asked, q[0], q[5], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    rail_pitch_inverse_kinematics_given_rail_roll_of_position_and_pitch(
-        task.position.data(), task.pitch, q[0], q[5], seed, nullptr, rail_pitch_default_tolerance, found);
-  }
-};
-
-struct TurnedLevel {
-  static constexpr const char* name = "turned_level";
-  static constexpr int dof = 7, given[] = {0, 1};
-  static constexpr auto& info = robots::turned_level::inverse_info_given_rail_table;
-  using Task = PositionAndInclination<double>;
-  using Set = turned_level_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().transpose() * arm.axis(q, 2)};
-  }
-  static double miss(const Task& a, const Task& b) { return (a.up - b.up).norm(); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::turned_level::inverse_kinematics_given_rail_table(asked, q[0], q[1], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::turned_level::inverse_kinematics_near_given_rail_table(asked, q[0], q[1], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    turned_level_inverse_kinematics_given_rail_table_of_position_and_inclination(
-        task.position.data(), task.up.data(), q[0], q[1], seed, nullptr, turned_level_default_tolerance,
-        found);
-  }
-};
-
-struct TorsoTorch {
-  static constexpr const char* name = "torso_torch";
-  static constexpr int dof = 7, given[] = {0, 6};
-  static constexpr auto& info = robots::torso_torch::inverse_info_given_torso_q6;
-  using Task = PositionAndDirection<double>;
-  using Set = torso_torch_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().col(0)};
-  }
-  static double miss(const Task& a, const Task& b) { return (a.direction - b.direction).norm(); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::torso_torch::inverse_kinematics_given_torso_q6(asked, q[0], q[6], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::torso_torch::inverse_kinematics_near_given_torso_q6(asked, q[0], q[6], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    torso_torch_inverse_kinematics_given_torso_q6_of_position_and_direction(
-        task.position.data(), task.direction.data(), q[0], q[6], seed, nullptr, torso_torch_default_tolerance,
-        found);
-  }
-};
-
-struct HeldPitch {
-  static constexpr const char* name = "held_pitch";
-  static constexpr int dof = 6, given[] = {2, 5};
-  static constexpr auto& info = robots::held_pitch::inverse_info_given_boom_roll;
-  using Task = PositionAndPitch<double>;
-  using Set = held_pitch_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    const Vector3d base = arm.axis(q, 0), across = arm.axis(q, 1), along = arm.tool(q).linear().col(0);
-    return {arm.tool(q).translation(), std::atan2(across.dot(base.cross(along)), base.dot(along))};
-  }
-  static double miss(const Task& a, const Task& b) { return std::remainder(a.pitch - b.pitch, 2 * pi); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_pitch::inverse_kinematics_given_boom_roll(asked, q[2], q[5], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_pitch::inverse_kinematics_near_given_boom_roll(asked, q[2], q[5], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    held_pitch_inverse_kinematics_given_boom_roll_of_position_and_pitch(
-        task.position.data(), task.pitch, q[2], q[5], seed, nullptr, held_pitch_default_tolerance, found);
-  }
-};
-
-struct HeldLevel {
-  static constexpr const char* name = "held_level";
-  static constexpr int dof = 7, given[] = {2, 4};
-  static constexpr auto& info = robots::held_level::inverse_info_given_boom_knuckle;
-  using Task = PositionAndInclination<double>;
-  using Set = held_level_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().transpose() * arm.axis(q, 0)};
-  }
-  static double miss(const Task& a, const Task& b) { return (a.up - b.up).norm(); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_level::inverse_kinematics_given_boom_knuckle(asked, q[2], q[4], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_level::inverse_kinematics_near_given_boom_knuckle(asked, q[2], q[4], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    held_level_inverse_kinematics_given_boom_knuckle_of_position_and_inclination(
-        task.position.data(), task.up.data(), q[2], q[4], seed, &held_level_default_geometry,
-        held_level_default_tolerance, found);
-  }
-};
-
-struct HeldTorch {
-  static constexpr const char* name = "held_torch";
-  static constexpr int dof = 8, given[] = {0, 3, 5};
-  static constexpr auto& info = robots::held_torch::inverse_info_given_table_boom_second;
-  using Task = PositionAndDirection<double>;
-  using Set = held_torch_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().col(0)};
-  }
-  static double miss(const Task& a, const Task& b) { return (a.direction - b.direction).norm(); }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_torch::inverse_kinematics_given_table_boom_second(asked, q[0], q[3], q[5], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_torch::inverse_kinematics_near_given_table_boom_second(asked, q[0], q[3], q[5],
-                                                                               more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    held_torch_inverse_kinematics_given_table_boom_second_of_position_and_direction(
-        task.position.data(), task.direction.data(), q[0], q[3], q[5], seed, nullptr,
-        held_torch_default_tolerance, found);
-  }
-};
-
-/// A position, and no more.
-struct Place {
+/// The part of a pose that is asked for: a position, with a pitch, or with a direction of the tool, or of
+/// what is up in the frame of the tool. A position alone has neither.
+struct Part {
   Vector3d position;
-};
-inline const Vector3d& place_of(const Place& place) { return place.position; }
-inline const Pose<double>& place_of(const Pose<double>& pose) { return pose; }
-
-struct HeldPlace {
-  static constexpr const char* name = "held_place";
-  static constexpr int dof = 5, given[] = {2, 4};
-  static constexpr auto& info = robots::held_place::inverse_info_given_boom_roll;
-  using Task = Place;
-  using Set = held_place_solutions;
-  static Task task(const Reference& arm, const Eigen::VectorXd& q) { return {arm.tool(q).translation()}; }
-  static double miss(const Task& /*a*/, const Task& /*b*/) { return 0; }
-  template <class Asked, class... More>
-  static auto solve(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_place::inverse_kinematics_given_boom_roll(place_of(asked), q[2], q[4], more...);
-  }
-  template <class Asked, class... More>
-  static auto near(const Asked& asked, const Eigen::VectorXd& q, const More&... more) {
-    return robots::held_place::inverse_kinematics_near_given_boom_roll(place_of(asked), q[2], q[4], more...);
-  }
-  static void solve_in_c(const Task& task, const Eigen::VectorXd& q, const double* seed, Set* found) {
-    held_place_inverse_kinematics_given_boom_roll_of_position(task.position.data(), q[2], q[4], seed, nullptr,
-                                                              held_place_default_tolerance, found);
-  }
+  Vector3d direction = Vector3d::Zero();
+  double pitch = 0;
 };
 
-template <class Arm>
-class PartsGiven : public testing::Test {
+/// Kinds of parts: what the reference says of joints, `base` being the first that moves, and the arguments of
+/// functions in C++ and C.
+struct Pitch {
+  static Part of(const Reference& arm, const VectorXd& q, std::size_t base) {
+    const Vector3d up = arm.axis(q, base), across = arm.axis(q, base + 1),
+                   along = arm.tool(q).linear().col(0);
+    return {arm.tool(q).translation(), Vector3d::Zero(),
+            std::atan2(across.dot(up.cross(along)), up.dot(along))};
+  }
+  static PositionAndPitch<double> in_cxx(const Part& part) { return {part.position, part.pitch}; }
+  static double in_c(const Part& part) { return part.pitch; }
+};
+struct Level {
+  static Part of(const Reference& arm, const VectorXd& q, std::size_t base) {
+    return {arm.tool(q).translation(), arm.tool(q).linear().transpose() * arm.axis(q, base)};
+  }
+  static PositionAndInclination<double> in_cxx(const Part& part) { return {part.position, part.direction}; }
+  static const double* in_c(const Part& part) { return part.direction.data(); }
+};
+struct Torch {
+  static Part of(const Reference& arm, const VectorXd& q, std::size_t /*base*/) {
+    return {arm.tool(q).translation(), arm.tool(q).linear().col(0)};
+  }
+  static PositionAndDirection<double> in_cxx(const Part& part) { return {part.position, part.direction}; }
+  static const double* in_c(const Part& part) { return part.direction.data(); }
+};
+struct Place {
+  static Part of(const Reference& arm, const VectorXd& q, std::size_t /*base*/) {
+    return {arm.tool(q).translation()};
+  }
+  static const Vector3d& in_cxx(const Part& part) { return part.position; }
+};
+
+/// An arm: what the reference and its compiled functions say.
+struct PartArm {
+  int dof;
+  std::vector<int> given;
+  InverseInfo info;
+  std::size_t base;
+  Part (*part)(const Reference& arm, const VectorXd& q, std::size_t base);
+  std::function<Rows(const VectorXd&at, const Part&part, const Asked&asked)> solve, near, solve_in_c;
+  std::function<Rows(const VectorXd& at, const Pose<double>& pose, const VectorXd& seed)> solve_pose;
+};
+
+template <class Kind, int dof, class Set, class Solve, class Near, class SolveInC>
+PartArm arm_of(const InverseInfo& info, std::vector<int> given, std::size_t base, const Solve& solve,
+               const Near& near, const SolveInC& solve_in_c) {
+  PartArm arm{dof, std::move(given), info, base, Kind::of, {}, {}, {}, {}};
+  arm.solve = [solve](const VectorXd& at, const Part& part, const Asked& asked) {
+    const auto& target = Kind::in_cxx(part);
+    if (asked.seed == nullptr) return rows_of(solve(at, target));
+    if (asked.limits == nullptr) return rows_of(solve(at, target, fixed<dof>(*asked.seed)));
+    return rows_of(solve(at, target, fixed<dof>(*asked.seed), fixed<dof>(*asked.limits)));
+  };
+  arm.near = [near](const VectorXd& at, const Part& part, const Asked& asked) {
+    return rows_of(near(at, Kind::in_cxx(part), fixed<dof>(*asked.seed)));
+  };
+  arm.solve_in_c = [solve_in_c](const VectorXd& at, const Part& part, const Asked& asked) {
+    Set set;
+    if constexpr (requires { Kind::in_c(part); })
+      solve_in_c(at, asked.seed->data(), &set, part.position.data(), Kind::in_c(part));
+    else
+      solve_in_c(at, asked.seed->data(), &set, part.position.data());
+    return rows_of(in_cxx(set));
+  };
+  arm.solve_pose = [solve](const VectorXd& at, const Pose<double>& pose, const VectorXd& seed) {
+    return rows_of(solve(at, pose, fixed<dof>(seed)));
+  };
+  return arm;
+}
+
+// The indices of the given joints of an arm, and what its functions are called after.
+#define QVGEN_TEST_PART_ARM(ARM, KIND, SUFFIX, SUFFIX_IN_C, GEOMETRY, BASE, GIVEN, ...)        \
+  arm_of<KIND, robots::ARM::dof, ARM##_solutions>(                                             \
+      robots::ARM::inverse_info##SUFFIX, GIVEN, BASE,                                          \
+      [](const VectorXd& at, const auto& target, const auto&... more) {                        \
+        return robots::ARM::inverse_kinematics##SUFFIX(target, __VA_ARGS__, more...);          \
+      },                                                                                       \
+      [](const VectorXd& at, const auto& target, const auto&... more) {                        \
+        return robots::ARM::inverse_kinematics_near##SUFFIX(target, __VA_ARGS__, more...);     \
+      },                                                                                       \
+      [](const VectorXd& at, const double* seed, ARM##_solutions* set, const auto... target) { \
+        ARM##_inverse_kinematics##SUFFIX##SUFFIX_IN_C(target..., __VA_ARGS__, seed, GEOMETRY,  \
+                                                      ARM##_default_tolerance, set);           \
+      })
+
+std::map<std::string, PartArm> make_part_arms() {
+  using List = std::vector<int>;
+  std::map<std::string, PartArm> arms;
+  arms["rail_pitch"] = QVGEN_TEST_PART_ARM(rail_pitch, Pitch, _given_rail_roll, _of_position_and_pitch,
+                                           nullptr, 1, (List{0, 5}), at[0], at[5]);
+  arms["turned_level"] =
+      QVGEN_TEST_PART_ARM(turned_level, Level, _given_rail_table, _of_position_and_inclination, nullptr, 2,
+                          (List{0, 1}), at[0], at[1]);
+  arms["torso_torch"] = QVGEN_TEST_PART_ARM(torso_torch, Torch, _given_torso_q6, _of_position_and_direction,
+                                            nullptr, 0, (List{0, 6}), at[0], at[6]);
+  arms["held_pitch"] = QVGEN_TEST_PART_ARM(held_pitch, Pitch, _given_boom_roll, _of_position_and_pitch,
+                                           nullptr, 0, (List{2, 5}), at[2], at[5]);
+  arms["held_level"] =
+      QVGEN_TEST_PART_ARM(held_level, Level, _given_boom_knuckle, _of_position_and_inclination,
+                          &held_level_default_geometry, 0, (List{2, 4}), at[2], at[4]);
+  arms["held_torch"] =
+      QVGEN_TEST_PART_ARM(held_torch, Torch, _given_table_boom_second, _of_position_and_direction, nullptr, 0,
+                          (List{0, 3, 5}), at[0], at[3], at[5]);
+  arms["held_place"] = QVGEN_TEST_PART_ARM(held_place, Place, _given_boom_roll, _of_position, nullptr, 0,
+                                           (List{2, 4}), at[2], at[4]);
+  return arms;
+}
+
+const PartArm& part_arm(const std::string& name) {
+  static const std::map<std::string, PartArm> arms = make_part_arms();
+  return arms.at(name);
+}
+
+class PartsGiven : public testing::TestWithParam<const char*> {
  protected:
-  using Vector = Eigen::Matrix<double, Arm::dof, 1>;
-  Reference reference_{Arm::name};
+  const PartArm& arm_ = part_arm(GetParam());
+  Reference reference_{GetParam()};
 
-  Vector joints() {
+  VectorXd joints() {
     std::uniform_real_distribution<double> uniform(-3, 3);
-    return Vector::NullaryExpr([&] { return uniform(random_); });
+    VectorXd q(arm_.dof);
+    for (double& joint : q) joint = uniform(random_);
+    return q;
   }
-  [[nodiscard]] static double way(const Vector& a, const Vector& b) {
-    return (a - b).unaryExpr([](double x) { return std::abs(std::remainder(x, 2 * pi)); }).maxCoeff();
+  [[nodiscard]] Part part_of(const VectorXd& q) const { return arm_.part(reference_, q, arm_.base); }
+  [[nodiscard]] static double way(const VectorXd& a, const VectorXd& b) {
+    double most = 0;
+    for (Eigen::Index i = 0; i < a.size(); ++i)
+      if (const double off = std::abs(std::remainder(a[i] - b[i], 2 * M_PI)); !(off <= most)) most = off;
+    return most;
   }
-  void expect_reached(const Vector& row, const Vector& q, const typename Arm::Task& task) {
-    const auto at = Arm::task(reference_, row);
-    EXPECT_LT((at.position - task.position).norm(), 1e-9);
-    EXPECT_LT(std::abs(Arm::miss(at, task)), 1e-9);
-    for (const int i : Arm::given) EXPECT_EQ(row[i], q[i]);
+  void expect_reached(const VectorXd& row, const VectorXd& q, const Part& wanted) {
+    const Part found = part_of(row);
+    EXPECT_LT((found.position - wanted.position).norm(), 1e-9);
+    EXPECT_LT((found.direction - wanted.direction).norm(), 1e-9);
+    EXPECT_LT(std::abs(std::remainder(found.pitch - wanted.pitch, 2 * M_PI)), 1e-9);
+    for (const int i : arm_.given) EXPECT_EQ(row[i], q[i]);
   }
 
  private:
   std::mt19937 random_{11};
 };
-using PartArms =
-    testing::Types<RailPitch, TurnedLevel, TorsoTorch, HeldPitch, HeldLevel, HeldTorch, HeldPlace>;
-TYPED_TEST_SUITE(PartsGiven, PartArms);
+INSTANTIATE_TEST_SUITE_P(Of, PartsGiven,
+                         testing::Values("rail_pitch", "turned_level", "torso_torch", "held_pitch",
+                                         "held_level", "held_torch", "held_place"),
+                         name_of);
 
-TYPED_TEST(PartsGiven, AreToldByTheInfo) {
-  EXPECT_EQ(TypeParam::info.given_joint, TypeParam::given[0]);
-  EXPECT_EQ(TypeParam::info.more_given, static_cast<int>(std::size(TypeParam::given)) - 1);
+TEST_P(PartsGiven, AreToldByTheInfo) {
+  EXPECT_EQ(arm_.info.given_joint, arm_.given[0]);
+  EXPECT_EQ(arm_.info.more_given, static_cast<int>(arm_.given.size()) - 1);
 }
 
-TYPED_TEST(PartsGiven, RowsReachThePartThatIsAskedFor) {
+TEST_P(PartsGiven, RowsReachThePartThatIsAskedFor) {
   for (int k = 0; k < 300; ++k) {
-    const auto q = this->joints();
-    const auto task = TypeParam::task(this->reference_, q);
-    const auto found = TypeParam::solve(task, q);
+    const VectorXd q = joints();
+    const Part part = part_of(q);
+    const Rows found = arm_.solve(q, part, {});
     ASSERT_EQ(found.status, Status::solved);
     bool is_there = false;
-    for (const auto& row : found) {
-      this->expect_reached(row.q, q, task);
-      is_there = is_there || this->way(row.q, q) < 1e-6;
+    for (const Row& row : found) {
+      expect_reached(row.q, q, part);
+      is_there = is_there || way(row.q, q) < 1e-6;
     }
     EXPECT_TRUE(is_there) << q.transpose();
   }
 }
 
-TYPED_TEST(PartsGiven, APoseGivesTheSameRows) {
+TEST_P(PartsGiven, APoseGivesTheSameRows) {
   for (int k = 0; k < 50; ++k) {
-    const auto q = this->joints();
-    const auto pose = Pose<double>::from_isometry(this->reference_.tool(q));
-    const auto found = TypeParam::solve(pose, q, q);
+    const VectorXd q = joints();
+    const auto pose = Pose<double>::from_isometry(reference_.tool(q));
+    const Rows found = arm_.solve_pose(q, pose, q);
     ASSERT_FALSE(found.empty());
-    EXPECT_LT(this->way(found[0].q, q), 1e-6);
-    if (TypeParam::info.task == Task::position_and_direction) continue;  // whole poses alone
-    EXPECT_EQ(found.size(), TypeParam::solve(TypeParam::task(this->reference_, q), q).size());
+    EXPECT_LT(way(found[0].q, q), 1e-6);
+    if (arm_.info.task == Task::position_and_direction) continue;  // whole poses alone
+    EXPECT_EQ(found.size, arm_.solve(q, part_of(q), {}).size);
   }
 }
 
-TYPED_TEST(PartsGiven, TakeSeedsAndLimits) {
+TEST_P(PartsGiven, TakeSeedsAndLimits) {
   for (int k = 0; k < 100; ++k) {
-    const auto q = this->joints();
-    const auto task = TypeParam::task(this->reference_, q);
-    const auto seeded = TypeParam::solve(task, q, q);
+    const VectorXd q = joints(), around = VectorXd::Constant(arm_.dof, 0.05);
+    const Part part = part_of(q);
+    const Rows seeded = arm_.solve(q, part, {&q, nullptr});
     ASSERT_FALSE(seeded.empty());
-    EXPECT_LT(this->way(seeded[0].q, q), 1e-6);
-    const auto near = TypeParam::near(task, q, q);
-    ASSERT_EQ(near.size(), 1);
-    EXPECT_LT((near[0].q - q).norm(), 1e-6);
-    JointLimits<TypeParam::dof> limits{q.array() - 0.05, q.array() + 0.05};
-    const auto inside = TypeParam::solve(task, q, q, limits);
-    ASSERT_GE(inside.size(), 1);
-    EXPECT_LT((inside[0].q - q).norm(), 1e-6);
-    const int given = TypeParam::given[1];
+    EXPECT_LT(way(seeded[0].q, q), 1e-6);
+    const Rows near = arm_.near(q, part, {&q, nullptr});
+    ASSERT_EQ(near.size, 1U);
+    EXPECT_LT(distance(near[0].q, q), 1e-6);
+    Bounds limits{q - around, q + around};
+    const Rows inside = arm_.solve(q, part, {&q, &limits});
+    ASSERT_GE(inside.size, 1U);
+    EXPECT_LT(distance(inside[0].q, q), 1e-6);
+    const int given = arm_.given[1];
     limits.lower[given] = q[given] + 0.01;  // the given value is outside
-    EXPECT_TRUE(TypeParam::solve(task, q, q, limits).empty());
+    EXPECT_TRUE(arm_.solve(q, part, {&q, &limits}).empty());
   }
 }
 
-TYPED_TEST(PartsGiven, CHasTheRowsOfCpp) {
+TEST_P(PartsGiven, CHasTheRowsOfCpp) {
   for (int k = 0; k < 100; ++k) {
-    const auto q = this->joints();
-    const auto task = TypeParam::task(this->reference_, q);
-    const auto wanted = TypeParam::solve(task, q, q);
-    typename TypeParam::Set found;
-    TypeParam::solve_in_c(task, q, q.data(), &found);
-    ASSERT_EQ(found.count, wanted.size());
-    for (int i = 0; i < found.count; ++i)
-      EXPECT_LT(this->way(Eigen::Map<const typename TestFixture::Vector>(found.rows[i].q), wanted[i].q),
-                1e-9);
+    const VectorXd q = joints();
+    const Part part = part_of(q);
+    const Rows wanted = arm_.solve(q, part, {&q, nullptr}), found = arm_.solve_in_c(q, part, {&q, nullptr});
+    ASSERT_EQ(found.size, wanted.size);
+    for (std::size_t i = 0; i < found.size; ++i) EXPECT_LT(way(found[i].q, wanted[i].q), 1e-9);
   }
 }
 
-TYPED_TEST(PartsGiven, AreNoneForWhatIsNoNumberOrFar) {
-  const auto q = this->joints();
-  auto task = TypeParam::task(this->reference_, q);
-  for (const int i : TypeParam::given) {
-    auto odd = q;
-    odd[i] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(TypeParam::solve(task, odd).status, Status::invalid);
+TEST_P(PartsGiven, AreNoneForWhatIsNoNumberOrFar) {
+  const VectorXd q = joints();
+  Part part = part_of(q);
+  for (const int i : arm_.given) {
+    VectorXd odd = q;
+    odd[i] = nan;
+    EXPECT_EQ(arm_.solve(odd, part, {}).status, Status::invalid);
   }
-  task.position.x() = 1e4;
-  EXPECT_EQ(TypeParam::solve(task, q).status, Status::unreachable);
-  task.position.x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(TypeParam::solve(task, q).status, Status::invalid);
+  part.position.x() = 1e4;
+  EXPECT_EQ(arm_.solve(q, part, {}).status, Status::unreachable);
+  part.position.x() = nan;
+  EXPECT_EQ(arm_.solve(q, part, {}).status, Status::invalid);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "model/motor_turns.h"
 #include "reference/linear_algebra.h"
 
-namespace qvgen::test {
+namespace qvgen::test::random_turns {
 namespace {
 
 constexpr int dof = 3;
@@ -25,10 +25,12 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 using Vector = Joints<dof>;
 using Bounds = JointLimits<dof>;
 
+using Rows = Solutions<dof, 4>;
+
 /// Relations as generated code has them, of the arm that was drawn last.
 template <int bounded_>
 struct DrawnMap {
-  static constexpr int dof = test::dof, bounded = bounded_;
+  static constexpr int dof = random_turns::dof, bounded = bounded_;
   static inline std::array<int, bounded> motor_of;
   static inline std::array<double, bounded> own_lower, own_upper;
   static inline MotorTurns<bounded> turns;
@@ -149,8 +151,8 @@ Vector random_vector(std::mt19937& random, double size) {
   return Vector::NullaryExpr([&] { return between(random); });
 }
 
-Solutions<dof, 4> rows_of(std::mt19937& random) {
-  Solutions<dof, 4> rows;
+Rows rows_of(std::mt19937& random) {
+  Rows rows;
   for (int i = 0; i < 4; ++i) rows.append() = {random_vector(random, 3), i, false};
   rows.conclude();
   return rows;
@@ -161,41 +163,95 @@ struct Seen {
   int arms = 0, own_limits = 0, searched = 0, none = 0, several = 0;
 };
 
+/// What the library says of rows within limits and next to a seed.
+struct Within {
+  std::vector<Solution<dof>> all;
+  std::size_t size;
+  int branches;
+  Status status;
+  Rows nearest, nearest_of_all;
+  std::vector<std::optional<Solution<dof>>> best;  ///< by each metric
+};
+/// What it says of rows next to a seed without limits.
+struct Ways {
+  std::array<Vector, 4> ways;
+  Vector best, next;
+  bool has_next;
+  Rows sorted;
+};
+
+const std::array<LargestJoint<dof>, 2> metrics{LargestJoint<dof>{}, LargestJoint<dof>{Vector(1, 3, 0.2)}};
+
 template <class Map>
-void expect_brute_force(const Arm& arm, std::mt19937& random, Seen& seen) {
-  const auto rows = rows_of(random);
+Within within_of(const Rows& rows, const Vector& seed, const Bounds& limits) {
+  const AllWithinMotors<Map, 4> all(rows, limits);
+  Within found{{}, all.size(), all.branches(), all.status, {}, {}, {}};
+  if (found.size < 100'000)
+    for (const auto& row : all) found.all.push_back(row);
+  found.nearest = inverse::nearest_within_motors<Map>(rows, seed, limits);
+  found.nearest_of_all = nearest_within_limits(all, seed);
+  for (const auto& metric : metrics) found.best.push_back(qvgen::nearest(all, seed, metric));
+  return found;
+}
+
+template <class Map>
+Ways ways_of(Rows rows, const Vector& seed) {
+  const TurnsOfMotors<Map> turns;
+  Ways found;
+  found.best = qvgen::nearest(rows, seed, turns, metrics[1])->q;
+  for (std::size_t k = 0; k < 4; ++k)
+    found.ways[k] = inverse::way_of_motors<Map>(seed, rows, rows[static_cast<int>(k)].q);
+  found.has_next = continued(rows, seed, turns, found.next);
+  sort_by_distance(rows, seed, turns);
+  found.sorted = rows;
+  return found;
+}
+
+/// The library, for the arm that was drawn last.
+struct Library {
+  void (*set)(const Arm& arm, const model::MotorTurns& turns);
+  Within (*within)(const Rows& rows, const Vector& seed, const Bounds& limits);
+  Ways (*ways)(Rows rows, const Vector& seed);
+};
+template <int bounded>
+constexpr Library library_of{set_map<DrawnMap<bounded>>, within_of<DrawnMap<bounded>>,
+                             ways_of<DrawnMap<bounded>>};
+/// By the number of values that have limits: three motors, and up to three joints.
+constexpr std::array<Library, 4> libraries{library_of<3>, library_of<4>, library_of<5>, library_of<6>};
+
+void expect_brute_force(const Arm& arm, const Library& library, std::mt19937& random, Seen& seen) {
+  const Rows rows = rows_of(random);
   const Vector seed = random_vector(random, 6);
   const Bounds limits{-random_vector(random, 6).cwiseAbs(), random_vector(random, 6).cwiseAbs()};
-  const AllWithinMotors<Map, 4> all(rows, limits);
-  const auto nearest = inverse::nearest_within_motors<Map>(rows, seed, limits);
+  const Within found = library.within(rows, seed, limits);
   std::size_t count = 0;
   std::vector<double> expected;
+  std::array<double, 2> least_metrics{endless, endless};
   for (const auto& row : rows) {
     const auto inside = representatives(arm, row.q, limits);
     ++(inside.empty() ? seen.none : inside.size() > 1 ? seen.several : seen.searched);
     count += inside.size();
     double least = endless;
-    for (const Vector& each : inside) least = std::min(least, (each - seed).norm());
+    for (const Vector& each : inside) {
+      const Vector way = each - seed;
+      least = std::min(least, way.norm());
+      for (std::size_t i = 0; i < 2; ++i) least_metrics[i] = std::min(least_metrics[i], metrics[i](way));
+      EXPECT_TRUE(std::any_of(found.all.begin(), found.all.end(),
+                              [&](const auto& other) { return (other.q - each).norm() < 1e-9; }));
+    }
     if (!inside.empty()) expected.push_back(least);
-    for (const Vector& each : inside)
-      EXPECT_TRUE(std::any_of(all.begin(), all.end(),
-                              [&](const auto& found) { return (found.q - each).norm() < 1e-9; }));
   }
-  for (const qvgen::LargestJoint<dof>& metric : {LargestJoint<dof>{}, LargestJoint<dof>{Vector(1, 3, 0.2)}}) {
-    double least = endless;
-    for (const auto& row : rows)
-      for (const Vector& each : representatives(arm, row.q, limits))
-        least = std::min(least, metric(Vector(each - seed)));
-    const auto best = qvgen::nearest(all, seed, metric);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& best = found.best[i];
     ASSERT_EQ(best.has_value(), count > 0);
     if (best) {
-      EXPECT_NEAR(metric(Vector(best->q - seed)), least, 1e-9);
+      EXPECT_NEAR(metrics[i](Vector(best->q - seed)), least_metrics[i], 1e-9);
     }
   }
-  EXPECT_EQ(all.size(), count);
-  EXPECT_EQ(all.status, count == 0 ? Status::unreachable : Status::solved);
-  for (const auto& row : all) EXPECT_TRUE(is_inside(arm, row.q, limits));
-  const auto again = nearest_within_limits(all, seed);
+  EXPECT_EQ(found.size, count);
+  EXPECT_EQ(found.status, count == 0 ? Status::unreachable : Status::solved);
+  for (const auto& row : found.all) EXPECT_TRUE(is_inside(arm, row.q, limits));
+  const Rows &nearest = found.nearest, &again = found.nearest_of_all;
   ASSERT_EQ(again.size(), nearest.size());
   for (int i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].branch, nearest[i].branch);
   std::sort(expected.begin(), expected.end());
@@ -208,33 +264,30 @@ void expect_brute_force(const Arm& arm, std::mt19937& random, Seen& seen) {
 
 /// Law: without limits a way leads to the row but for whole turns of joints, each of which goes at most half
 /// a turn; orders are those of these ways.
-template <class Map>
-void expect_short_ways(const Arm& arm, std::mt19937 random) {
-  auto rows = rows_of(random);
+void expect_short_ways(const Arm& arm, const Library& library, std::mt19937 random) {
+  const Rows rows = rows_of(random);
   const Vector seed = random_vector(random, 9);
-  const TurnsOfMotors<Map> turns;
-  const LargestJoint<dof> metric{Vector(1, 3, 0.2)};
+  const Ways found = library.ways(rows, seed);
   const auto way_of = [&](const Vector& q) {
-    const Vector whole = arm.matrix * (q - seed);
-    return Vector(arm.inverse * whole.unaryExpr([](double x) { return std::remainder(x, 2 * M_PI); }));
+    Vector whole = arm.matrix * (q - seed);
+    for (double& joint : whole) joint = std::remainder(joint, 2 * M_PI);
+    return Vector(arm.inverse * whole);
   };
-  const Solution<dof>* best = qvgen::nearest(rows, seed, turns, metric);
-  for (const auto& row : rows) {
-    EXPECT_LE(metric(way_of(best->q)), metric(way_of(row.q)));
-    EXPECT_LT((inverse::way_of_motors<Map>(seed, rows, row.q) - way_of(row.q)).norm(), 1e-9);
+  const auto& metric = metrics[1];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector way = way_of(rows[static_cast<int>(k)].q);
+    EXPECT_LE(metric(way_of(found.best)), metric(way));
+    EXPECT_LT((found.ways[k] - way).norm(), 1e-9);
   }
-  Vector next;
-  ASSERT_TRUE(continued(rows, seed, turns, next));
-  sort_by_distance(rows, seed, turns);
-  EXPECT_LT((next - seed - way_of(rows[0].q)).norm(), 1e-9);
-  for (int i = 1; i < rows.size(); ++i)
-    EXPECT_LE(way_of(rows[i - 1].q).norm(), way_of(rows[i].q).norm() + 1e-12);
+  ASSERT_TRUE(found.has_next);
+  EXPECT_LT((found.next - seed - way_of(found.sorted[0].q)).norm(), 1e-9);
+  for (int i = 1; i < found.sorted.size(); ++i)
+    EXPECT_LE(way_of(found.sorted[i - 1].q).norm(), way_of(found.sorted[i].q).norm() + 1e-12);
 }
 
 /// Limits of which some are without end, reversed or no number, and odd seeds: nothing hangs, no row is
 /// outside.
-template <class Map>
-void expect_sense(const Arm& arm, std::mt19937& random) {
+void expect_sense(const Arm& arm, const Library& library, std::mt19937& random) {
   const std::array<double, 6> odd{-endless, endless, std::nan(""), 1e300, -1e300, 1};
   std::uniform_int_distribution<std::size_t> which(0, 8);
   const auto drawn = [&](Vector vector) {
@@ -243,29 +296,17 @@ void expect_sense(const Arm& arm, std::mt19937& random) {
     return vector;
   };
   const Bounds limits{drawn(-Vector::Constant(4)), drawn(Vector::Constant(4))};
-  const auto rows = rows_of(random);
-  const AllWithinMotors<Map, 4> all(rows, limits);
-  EXPECT_LT(all.size(), 100'000U);
-  const auto nearest = inverse::nearest_within_motors<Map>(rows, random_vector(random, 4), limits);
-  const auto far = inverse::nearest_within_motors<Map>(rows, Vector(drawn(random_vector(random, 4))), limits);
-  EXPECT_EQ(nearest.size(), all.branches());
-  EXPECT_LE(far.size(), all.branches());
+  const Rows rows = rows_of(random);
+  const Within found = library.within(rows, random_vector(random, 4), limits);
+  const Within far = library.within(rows, drawn(random_vector(random, 4)), limits);
+  EXPECT_LT(found.size, 100'000U);
+  EXPECT_EQ(found.nearest.size(), found.branches);
+  EXPECT_LE(far.nearest.size(), found.branches);
   Bounds wider = limits;
   wider.lower.array() -= 1e-9;
   wider.upper.array() += 1e-9;
-  for (const auto& row : all) EXPECT_TRUE(is_inside(arm, row.q, wider));
-  for (const auto& row : nearest) EXPECT_TRUE(is_inside(arm, row.q, wider));
-}
-
-template <int bounded>
-void expect_all(const Arm& arm, const model::MotorTurns& turns, std::mt19937& random, Seen& seen) {
-  if constexpr (bounded <= 2 * dof) {
-    if (turns.values.size() != bounded) return expect_all<bounded + 1>(arm, turns, random, seen);
-    set_map<DrawnMap<bounded>>(arm, turns);
-    for (int k = 0; k < 10; ++k) expect_brute_force<DrawnMap<bounded>>(arm, random, seen);
-    for (int k = 0; k < 10; ++k) expect_sense<DrawnMap<bounded>>(arm, random);
-    for (int k = 0; k < 3; ++k) expect_short_ways<DrawnMap<bounded>>(arm, random);
-  }
+  for (const auto& row : found.all) EXPECT_TRUE(is_inside(arm, row.q, wider));
+  for (const auto& row : found.nearest) EXPECT_TRUE(is_inside(arm, row.q, wider));
 }
 
 TEST(RandomMotors, WholeTurnsAreThoseOfBruteForce) {
@@ -277,7 +318,11 @@ TEST(RandomMotors, WholeTurnsAreThoseOfBruteForce) {
     const model::MotorTurns turns = model::motor_turns(arm->robot, arm->exact);
     ++seen.arms;
     seen.own_limits += turns.values.size() > dof ? 1 : 0;
-    expect_all<dof>(*arm, turns, random, seen);
+    const Library& library = libraries.at(turns.values.size() - dof);
+    library.set(*arm, turns);
+    for (int i = 0; i < 10; ++i) expect_brute_force(*arm, library, random, seen);
+    for (int i = 0; i < 10; ++i) expect_sense(*arm, library, random);
+    for (int i = 0; i < 3; ++i) expect_short_ways(*arm, library, random);
     if (HasFailure()) FAIL() << "arm " << k;
   }
   EXPECT_GT(seen.arms, 100);
@@ -294,17 +339,16 @@ TEST(RandomMotors, LongSearchesAreGivenUpAndSaidSo) {
       "b\"\n"
       "[[motor]]\nvariable = \"m\"\n");
   ASSERT_TRUE(arm);
-  using Map = DrawnMap<dof>;
-  set_map<Map>(*arm, model::motor_turns(arm->robot, arm->exact));
-  Solutions<dof, 4> rows;
+  libraries[0].set(*arm, model::motor_turns(arm->robot, arm->exact));
+  Rows rows;
   rows.append() = {Vector(0.1, 0.2, 3), 0, false};
   rows.conclude();
   const Bounds limits{Vector(-9000, -9000, 0), Vector(9000, 9000, 1e-9)};
-  const auto nearest = inverse::nearest_within_motors<Map>(rows, Vector(0, 0, 0), limits);
-  EXPECT_TRUE(nearest.empty());
-  EXPECT_EQ(nearest.status, Status::incomplete);
-  EXPECT_EQ((AllWithinMotors<Map, 4>(rows, limits).status), Status::incomplete);
+  const Within found = libraries[0].within(rows, Vector(0, 0, 0), limits);
+  EXPECT_TRUE(found.nearest.empty());
+  EXPECT_EQ(found.nearest.status, Status::incomplete);
+  EXPECT_EQ(found.status, Status::incomplete);
 }
 
 }  // namespace
-}  // namespace qvgen::test
+}  // namespace qvgen::test::random_turns

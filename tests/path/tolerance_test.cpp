@@ -34,8 +34,8 @@ struct Off {
 const JointLimits<6> usual{Values::Constant(-2.8), Values::Constant(2.8)};
 
 /// Calls with the pose that is wanted and the joints, at the samples and at places between them.
-template <class See>
-void for_each_place(const AnyArm& arm, const FreeRequest<6>& request, const Result& result, const See& see) {
+void for_each_place(const AnyArm& arm, const FreeRequest<6>& request, const Result& result,
+                    const std::function<void(const Pose<double>& wanted, const Values& q)>& see) {
   const Curve curve = curve_of(request.path);
   for (std::size_t i = 0; i + 1 < result.places.size(); ++i) {
     const auto &a = result.places[i], &b = result.places[i + 1];
