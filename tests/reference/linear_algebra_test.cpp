@@ -36,7 +36,8 @@ std::vector<Case> cases() {
   for (Index rows = 1; rows <= 8; ++rows)
     for (Index columns = 1; columns <= 8; ++columns)
       for (Index rank = 0; rank <= std::min(rows, columns); ++rank)
-        all.push_back({product(random_matrix(rows, rank, random), random_matrix(rank, columns, random)), rank});
+        all.push_back(
+            {product(random_matrix(rows, rank, random), random_matrix(rank, columns, random)), rank});
   all.push_back({random_matrix(60, 23, random), 23});
   return all;
 }

@@ -66,7 +66,8 @@ class Triangle {
   }
   /// Returns the shortest x that makes |a x - b| least.
   [[nodiscard]] VectorXd solve(VectorXd b) const {
-    if (std::isnan(largest(r_))) return VectorXd::Constant(r_.cols(), std::numeric_limits<double>::quiet_NaN());
+    if (std::isnan(largest(r_)))
+      return VectorXd::Constant(r_.cols(), std::numeric_limits<double>::quiet_NaN());
     for (Index k = 0; k < v_.cols(); ++k) reflect(k, b.data());
     const Index count = rank(epsilon * static_cast<double>(v_.cols()));
     VectorXd x = VectorXd::Zero(r_.cols());
