@@ -117,7 +117,7 @@ class ContactSet {
     [[nodiscard]] int rank() const { return static_cast<int>(decomposition_.rank()); }
     [[nodiscard]] Rows forces(const Rows& right) const {
       const Rows scaled = scale_.cwiseProduct(right);
-      return scale_.cwiseProduct(Rows(basic_solution(scaled)));
+      return scale_.cwiseProduct(basic_solution(scaled));
     }
     /// Returns the accelerations that forces make.
     [[nodiscard]] Vector effect(const Rows& forces) const { return solved_ * forces; }
@@ -129,25 +129,25 @@ class ContactSet {
     }
     /// X with A X A = A makes X A X^T, which is symmetric.
     [[nodiscard]] Square inverse() const {
-      const Square unit = Square::Identity(matrix_.rows(), matrix_.cols());
-      const Square one = scale_.asDiagonal() * Square(basic_solution(unit)) * scale_.asDiagonal();
+      Square one(matrix_.rows(), matrix_.cols());
+      for (Eigen::Index k = 0; k < one.cols(); ++k) one.col(k) = forces(Rows::Unit(one.rows(), k));
       const Square half = one * matrix_;
       return half * one.transpose();
     }
 
    private:
     /// Least squares by as many columns as the rank says; Eigen's own solution takes all that are not zero.
-    template <class Right>
-    [[nodiscard]] Right basic_solution(Right right) const {
-      const Eigen::Index rank = decomposition_.rank();
-      right.applyOnTheLeft(decomposition_.householderQ().setLength(rank).adjoint());
-      decomposition_.matrixQR()
-          .topLeftCorner(rank, rank)
-          .template triangularView<Eigen::Upper>()
-          .solveInPlace(right.topRows(rank));
-      right.bottomRows(right.rows() - rank).setZero();
-      right = (decomposition_.colsPermutation() * right).eval();
-      return right;
+    /// The reflections one by one, as Eigen has them for so few rows; its way for many takes long to compile.
+    [[nodiscard]] Rows basic_solution(Rows right) const {
+      const Eigen::Index rank = decomposition_.rank(), count = right.size();
+      const Square& qr = decomposition_.matrixQR();
+      Scalar workspace;
+      for (Eigen::Index k = 0; k < rank; ++k)
+        right.tail(count - k).applyHouseholderOnTheLeft(qr.col(k).tail(count - k - 1),
+                                                        decomposition_.hCoeffs()[k], &workspace);
+      right.tail(count - rank).setZero();
+      qr.topLeftCorner(rank, rank).template triangularView<Eigen::Upper>().solveInPlace(right.head(rank));
+      return decomposition_.colsPermutation() * right;
     }
 
     Columns solved_;

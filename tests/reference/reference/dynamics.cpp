@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/dynamics.h"
 
+#include "reference/linear_algebra.h"
+
 namespace reference {
 namespace {
 
@@ -126,7 +128,7 @@ MatrixXd mass_matrix(const Chain& chain, const VectorXd& q) {
 VectorXd forward_dynamics(const Chain& chain, const VectorXd& q, const VectorXd& qd, const VectorXd& tau,
                           const Vector3d& base_acceleration) {
   const VectorXd bias = inverse_dynamics(chain, q, qd, VectorXd::Zero(chain.size()), base_acceleration);
-  return mass_matrix(chain, q).ldlt().solve(tau - bias);
+  return solve_symmetric(mass_matrix(chain, q), tau - bias);
 }
 
 double kinetic_energy(const Chain& chain, const VectorXd& q, const VectorXd& rates) {
