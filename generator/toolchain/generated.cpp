@@ -67,8 +67,8 @@ Runtime runtime_in(const fs::path& prefix) {
 }
 
 std::vector<std::string> options_of_all(const Runtime& runtime) {
-  std::vector<std::string> options{"-std=c++17",      "-O2",      "-DNDEBUG",
-                                   "-fno-math-errno", "-pthread", "-Wno-psabi"};
+  std::vector<std::string> options{"-std=c++17", "-O2",        "-DNDEBUG",        "-fno-math-errno",
+                                   "-pthread",   "-Wno-psabi", "-DQVGEN_NO_FLOAT"};
   for (const fs::path& folder : runtime.headers) options.push_back("-I" + folder.string());
   return options;
 }

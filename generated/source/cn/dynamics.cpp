@@ -53,6 +53,7 @@ template PotentialEnergyConstants<double> potential_energy_constants(const Basic
     const BasicInertia<double>&, double);
 template double potential_energy(const JointVector<double>&, const DynamicsAngles<double>&,
     const PotentialEnergyConstants<double>&);
+#ifndef QVGEN_NO_FLOAT
 template DynamicsAngles<float> dynamics_angles(const JointVector<float>&);
 template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
     const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&, float);
@@ -101,5 +102,6 @@ template PotentialEnergyConstants<float> potential_energy_constants(const BasicG
     const BasicInertia<float>&, float);
 template float potential_energy(const JointVector<float>&, const DynamicsAngles<float>&,
     const PotentialEnergyConstants<float>&);
+#endif
 
 }  // namespace qvgen::robots::cn

@@ -15,6 +15,7 @@ template Eigen::Transform<double, 3, Eigen::Isometry> homogeneous_transform(cons
 template Eigen::Transform<double, 3, Eigen::Isometry> homogeneous_transform(const JointVector<double>&,
                                                                           const TransformAngles<double>&,
                                                                           const BasicGeometry<double>&);
+#ifndef QVGEN_NO_FLOAT
 template PoseAngles<float> pose_angles(const JointVector<float>&, const BasicGeometry<float>&);
 template TransformAngles<float> transform_angles(const JointVector<float>&, const BasicGeometry<float>&);
 template Pose<float> forward_kinematics(const JointVector<float>&, const BasicGeometry<float>&);
@@ -25,5 +26,6 @@ template Eigen::Transform<float, 3, Eigen::Isometry> homogeneous_transform(const
 template Eigen::Transform<float, 3, Eigen::Isometry> homogeneous_transform(const JointVector<float>&,
                                                                           const TransformAngles<float>&,
                                                                           const BasicGeometry<float>&);
+#endif
 
 }  // namespace qvgen::robots::irb6640

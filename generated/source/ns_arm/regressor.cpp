@@ -16,6 +16,7 @@ template RegressorConstants<double> regressor_constants(const BasicGeometry<doub
 template Eigen::Matrix<double, dof, base_parameter_count> regressor(const JointVector<double>&,
     const JointVector<double>&, const JointVector<double>&, const RegressorAngles<double>&,
     const RegressorConstants<double>&);
+#ifndef QVGEN_NO_FLOAT
 template RegressorAngles<float> regressor_angles(const JointVector<float>&);
 template Eigen::Matrix<float, base_parameter_count, 1> base_parameters(const StandardParameters<float>&,
     const BasicGeometry<float>&);
@@ -26,5 +27,6 @@ template RegressorConstants<float> regressor_constants(const BasicGeometry<float
 template Eigen::Matrix<float, dof, base_parameter_count> regressor(const JointVector<float>&,
     const JointVector<float>&, const JointVector<float>&, const RegressorAngles<float>&,
     const RegressorConstants<float>&);
+#endif
 
 }  // namespace qvgen::robots::ns_arm

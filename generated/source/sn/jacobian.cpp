@@ -38,6 +38,7 @@ template SingularityMeasures<double> singularity_measures(const JointVector<doub
     const BasicGeometry<double>&);
 template SingularityMeasures<double> singularity_measures(const JointVector<double>&,
     const JacobianAngles<double>&, const BasicGeometry<double>&);
+#ifndef QVGEN_NO_FLOAT
 template JacobianAngles<float> jacobian_angles(const JointVector<float>&, const BasicGeometry<float>&);
 template Jacobian<float> jacobian(const JointVector<float>&,
     const BasicGeometry<float>&);
@@ -71,5 +72,6 @@ template SingularityMeasures<float> singularity_measures(const JointVector<float
     const BasicGeometry<float>&);
 template SingularityMeasures<float> singularity_measures(const JointVector<float>&,
     const JacobianAngles<float>&, const BasicGeometry<float>&);
+#endif
 
 }  // namespace qvgen::robots::sn

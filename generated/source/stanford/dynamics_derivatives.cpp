@@ -13,6 +13,7 @@ template InverseDynamicsDerivativesConstants<double> inverse_dynamics_derivative
 template InverseDynamicsDerivatives<double> inverse_dynamics_derivatives(const JointVector<double>&,
     const JointVector<double>&, const JointVector<double>&, const DynamicsAngles<double>&,
     const InverseDynamicsDerivativesConstants<double>&);
+#ifndef QVGEN_NO_FLOAT
 template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
     const JointVector<float>&, const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
     float);
@@ -21,5 +22,6 @@ template InverseDynamicsDerivativesConstants<float> inverse_dynamics_derivatives
 template InverseDynamicsDerivatives<float> inverse_dynamics_derivatives(const JointVector<float>&,
     const JointVector<float>&, const JointVector<float>&, const DynamicsAngles<float>&,
     const InverseDynamicsDerivativesConstants<float>&);
+#endif
 
 }  // namespace qvgen::robots::stanford

@@ -48,6 +48,7 @@ template PotentialEnergyWithGravityVectorConstants<double> potential_energy_with
     const BasicGeometry<double>&, const BasicInertia<double>&, const Eigen::Matrix<double, 3, 1>&);
 template double potential_energy(const JointVector<double>&, const LoadAngles<double>&,
     const PotentialEnergyWithGravityVectorConstants<double>&);
+#ifndef QVGEN_NO_FLOAT
 template LoadAngles<float> load_angles(const JointVector<float>&);
 template JointVector<float> inverse_dynamics(const JointVector<float>&, const JointVector<float>&,
     const JointVector<float>&, const BasicGeometry<float>&, const BasicInertia<float>&,
@@ -91,5 +92,6 @@ template PotentialEnergyWithGravityVectorConstants<float> potential_energy_with_
     const BasicGeometry<float>&, const BasicInertia<float>&, const Eigen::Matrix<float, 3, 1>&);
 template float potential_energy(const JointVector<float>&, const LoadAngles<float>&,
     const PotentialEnergyWithGravityVectorConstants<float>&);
+#endif
 
 }  // namespace qvgen::robots::ur5

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "emit/cpp/dynamics_code.h"
+#include "emit/cpp/scalars.h"
 
 namespace qvgen::emit {
 namespace {
@@ -135,12 +136,13 @@ BatchForm with_floating_base(BatchForm form) {
 
 /// Returns the type that each instance of the template takes for gravity.
 json instances(const BatchForm& form) {
-  json list = json::array();
-  for (const std::string scalar : {"double", "float"}) {
+  json list = scalars();
+  for (json& instance : list) {
+    const std::string scalar = instance["scalar"];
     std::string gravity =
         form.header == "dynamics_loads" ? "const Eigen::Matrix<" + scalar + ", 3, 1>&" : scalar;
     if (form.base_floats) gravity = "const FreeFall<" + scalar + ">&";
-    list.push_back({{"scalar", scalar}, {"gravity_instance", gravity}});
+    instance["gravity_instance"] = gravity;
   }
   return list;
 }

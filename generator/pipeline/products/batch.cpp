@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "emit/cpp/batch_forms.h"
+#include "emit/cpp/scalars.h"
 #include "emit/render.h"
 #include "pipeline/products/inverse_batch.h"
 #include "pipeline/products/jacobian.h"
@@ -20,8 +21,7 @@ json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>&
   const bool has_jacobian =
       std::any_of(forms.begin(), forms.end(), [](const auto& form) { return form.name == "jacobian"; });
   if (!has_jacobian) return json::array();
-  const json scalars{{{"scalar", "double"}}, {{"scalar", "float"}}};
-  return json::array({{{"has_wrist", has_wrist_centre(robot)}, {"scalars", scalars}}});
+  return json::array({{{"has_wrist", has_wrist_centre(robot)}, {"scalars", emit::scalars()}}});
 }
 
 /// The longest functions, by far, have a file of their own: compilers are told otherwise how to order them.

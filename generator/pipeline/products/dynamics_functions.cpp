@@ -3,6 +3,7 @@
 
 #include "emit/cpp/angles.h"
 #include "emit/cpp/dynamics_code.h"
+#include "emit/cpp/scalars.h"
 #include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/render.h"
@@ -88,9 +89,8 @@ void add_functions(const model::Robot& robot, const std::vector<optimise::Optimi
   };
   values.update(angles_and_name(robot, angles, angles_type));
   values["functions"] = values_for("Scalar");
-  values["instances"] = json::array();
-  for (const char* scalar : {"double", "float"})
-    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
+  values["instances"] = emit::scalars();
+  for (json& instance : values["instances"]) instance["functions"] = values_for(instance["scalar"]);
   add_files(robot, part, values, output);
   for (const optimise::Optimised& function : functions)
     output.counts[function.name] = entry_of(robot, function);
@@ -106,12 +106,8 @@ void add_function(const model::Robot& robot, optimise::Optimised function, const
   };
   values.update(values_for("Scalar"));
   values.update(angles_and_name(robot, angles, angles_type));
-  values["instances"] = json::array();
-  for (const char* scalar : {"double", "float"}) {
-    json instance = values_for(scalar);
-    instance["scalar"] = scalar;
-    values["instances"].push_back(instance);
-  }
+  values["instances"] = emit::scalars();
+  for (json& instance : values["instances"]) instance.update(values_for(instance["scalar"]));
   add_files(robot, part, values, output);
   output.counts[function.name] = entry_of(robot, function);
 }

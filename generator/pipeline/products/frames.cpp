@@ -2,6 +2,7 @@
 #include "pipeline/products/frames.h"
 
 #include "emit/c/parts.h"
+#include "emit/cpp/scalars.h"
 #include "emit/leaves.h"
 #include "emit/render.h"
 #include "model/frames.h"
@@ -42,7 +43,7 @@ json frame_values(const model::Robot& described) {
 void generate_frames(const model::Robot& described, RobotOutput& output) {
   const std::vector<emit::JacobianFunction> functions = functions_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
-  json values{{"name", described.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
+  json values{{"name", described.name}, {"scalars", emit::scalars()}};
   values["frames"] = frame_values(described);
   values["frame_count"] = values["frames"].size();
   values["link_count"] = described.joints.size();

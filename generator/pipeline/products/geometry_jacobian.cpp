@@ -5,6 +5,7 @@
 #include "derive/jacobian/geometry_jacobian.h"
 #include "derive/jacobian/quantities.h"
 #include "emit/c/parts.h"
+#include "emit/cpp/scalars.h"
 #include "emit/render.h"
 #include "model/followers.h"
 #include "model/frames.h"
@@ -67,7 +68,7 @@ emit::JacobianFunction geometry_function(const model::Robot& described, RobotOut
 void generate_geometry_jacobian(const model::Robot& described, RobotOutput& output) {
   const emit::JacobianFunction function = geometry_function(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(std::vector{function});
-  json values{{"name", described.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
+  json values{{"name", described.name}, {"scalars", emit::scalars()}};
   values["columns"] = column_count(described);
   values["functions"] =
       json::array({emit::to_values(function, described, angles, "detail::NoGeometryAngles")});

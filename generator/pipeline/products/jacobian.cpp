@@ -12,6 +12,7 @@
 #include "emit/code.h"
 #include "emit/cpp/angles.h"
 #include "emit/cpp/printer.h"
+#include "emit/cpp/scalars.h"
 #include "emit/leaves.h"
 #include "emit/render.h"
 #include "optimise/described.h"
@@ -123,7 +124,7 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   const auto [robot, measures, functions] = jacobians_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
   const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
-  json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
+  json values{{"name", robot.name}, {"scalars", emit::scalars()}};
   values["angles"] = emit::angle_values(angles, leaves);
   values["all_angle_count"] = angles.size();
   values["all_sines_cosines"] = emit::sines_cosines_code(angles, leaves, "detail::NoAngles");

@@ -6,6 +6,7 @@
 #include "emit/c/parts.h"
 #include "emit/cpp/angles.h"
 #include "emit/cpp/printer.h"
+#include "emit/cpp/scalars.h"
 #include "emit/leaves.h"
 #include "emit/math/closed_form.h"
 #include "emit/render.h"
@@ -109,7 +110,7 @@ std::vector<std::string> closed_form_comment(const model::Robot& described) {
 
 void generate_kinematics(const model::Robot& described, RobotOutput& output) {
   const auto [robot, pose, transform] = kinematics_of(described, output);
-  json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
+  json values{{"name", robot.name}, {"scalars", emit::scalars()}};
   add_pose(robot, pose, values);
   add_transform(robot, transform, values);
   values["closed_form"] = emit::lines_of(closed_form_comment(described));
