@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include <qvgen/inverse/effort.h>
 #include <qvgen/inverse/derivatives.h>
+#include <qvgen/inverse/effort.h>
 #include <qvgen/inverse/tolerances.h>
 
 namespace qvgen::inverse {
