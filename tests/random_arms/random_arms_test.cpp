@@ -118,7 +118,8 @@ void check_dynamics(const Case& arm, std::mt19937& random) {
   const auto& quantities = optimise::dynamics_quantities();
   const auto quantity = std::find_if(quantities.begin(), quantities.end(),
                                      [](const auto& each) { return each.name == "inverse_dynamics"; });
-  const auto function = optimise::generate_dynamics(optimise::dynamics_model(robot), *quantity, effort);
+  const auto function =
+      optimise::generate_dynamics(optimise::dynamics_model(robot, effort), *quantity, effort);
   const dag::Function set_up = optimise::with_definitions(function.constants, robot);
   const Eigen::VectorXd q = random_vector(arm.chain.size(), random);
   const Eigen::VectorXd qd = random_vector(arm.chain.size(), random);
