@@ -52,7 +52,7 @@ struct Rows {
   void append(const double* q, int dof, int branch, bool continuum);
 };
 
-/// What is asked of an arm beside the pose; what is not asked for is null.
+/// A seed and limits, which a caller may give beside the pose; null: not given.
 struct Asked {
   const VectorXd* seed = nullptr;
   const Bounds* limits = nullptr;

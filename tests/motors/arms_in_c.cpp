@@ -24,7 +24,7 @@
 namespace qvgen::test {
 namespace {
 
-/// The C++ library of arms whose whole turns move several motors.
+/// Calls the C++ library of arms whose whole turns move several motors.
 template <class Map>
 struct LibraryOfMotors {
   static constexpr bool uses_seed = false;
@@ -39,7 +39,7 @@ struct LibraryOfMotors {
   }
 };
 
-/// That of arms of which each joint has its own whole turns.
+/// Calls the C++ library of arms in which every joint turns by itself.
 template <const auto& kinds>
 struct LibraryOfJoints {
   static constexpr bool uses_seed = true;

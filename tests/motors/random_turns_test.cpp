@@ -163,7 +163,7 @@ struct Seen {
   int arms = 0, own_limits = 0, searched = 0, none = 0, several = 0;
 };
 
-/// What the library says of rows within limits and next to a seed.
+/// Answers of the library about rows within limits and next to a seed.
 struct Within {
   std::vector<Solution<dof>> all;
   std::size_t size;
@@ -172,7 +172,7 @@ struct Within {
   Rows nearest, nearest_of_all;
   std::vector<std::optional<Solution<dof>>> best;  ///< by each metric
 };
-/// What it says of rows next to a seed without limits.
+/// Answers of the library about rows next to a seed, without limits.
 struct Ways {
   std::array<Vector, 4> ways;
   Vector best, next;
