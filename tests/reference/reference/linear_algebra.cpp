@@ -49,6 +49,13 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double share) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> parts;
+  parts.setThreshold(share);
+  parts.compute(a);
+  return parts.solve(b);
+}
+
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.ldlt().solve(b);
 }

@@ -31,6 +31,8 @@ double largest(const Eigen::MatrixXd& m);
 
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// Returns the same of a matrix whose columns are independent only by more than a share of the longest.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double share);
 /// a x = b, a symmetric and positive or negative semidefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
