@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include <Eigen/QR>
+#include "reference/linear_algebra.h"
 
 namespace qvgen::test {
 namespace {
@@ -92,12 +92,8 @@ class Judge {
 
 /// Brings joints to the pose by small steps across the directions in which it does not change.
 Eigen::VectorXd projected(const Case& test, const Sample& sample, Eigen::VectorXd q) {
-  for (int step = 0; step < 6 && test.miss(q, sample.target).largest() >= allowed(sample); ++step) {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> parts;
-    parts.setThreshold(1e-5);
-    parts.compute(test.jacobian(q));
-    q = test.moved(q, parts.solve(test.residual(q, sample.target)));
-  }
+  for (int step = 0; step < 6 && test.miss(q, sample.target).largest() >= allowed(sample); ++step)
+    q = test.moved(q, reference::least_squares(test.jacobian(q), test.residual(q, sample.target), 1e-5));
   return q;
 }
 

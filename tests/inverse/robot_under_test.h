@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -36,30 +36,27 @@ Found copy(const SolutionSet& set) {
 }
 
 /// The compiled functions of one robot, whatever its types; the values are those of geometric constants by
-/// name, the defaults for others.
+/// name, the defaults for others. Pointers: what std::function makes of each lambda takes longest to compile.
 struct InverseFunctions {
-  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)> solve;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed,
-                      const reference::Values&)>
-      solve_from;
-  std::function<Found(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given)> solve_matrix;
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& lower,
-                      const Eigen::VectorXd& upper)>
-      solve_within;
-  std::function<Found(const Pose<double>&, double given, double tolerance, const reference::Values&)>
-      solve_scalar = {};
+  using Vector = Eigen::VectorXd;
+  using Values = reference::Values;
+  Found (*solve)(const Pose<double>&, double given, double tolerance, const Values&) = nullptr;
+  Found (*solve_from)(const Pose<double>&, double given, const Vector& seed, const Values&) = nullptr;
+  Found (*solve_matrix)(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given) = nullptr;
+  Found (*solve_within)(const Pose<double>&, double given, const Vector& lower,
+                        const Vector& upper) = nullptr;
+  Found (*solve_scalar)(const Pose<double>&, double given, double tolerance, const Values&) = nullptr;
   /// The one solution on the seed's branch.
-  std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
-                      const reference::Values&)>
-      solve_near = {};
+  Found (*solve_near)(const Pose<double>&, double given, const Vector& seed, double tolerance,
+                      const Values&) = nullptr;
   /// Rows by the pitch itself, of arms that are asked for one: their main entry takes it from a pose.
-  std::function<Found(const Eigen::Vector3d& position, double pitch, double given)> solve_pitch = {};
+  Found (*solve_pitch)(const Eigen::Vector3d& position, double pitch, double given) = nullptr;
   /// Rows by the direction of the first axis that the tool sees, of arms that are asked for an inclination.
-  std::function<Found(const Eigen::Vector3d& position, const Eigen::Vector3d& up, double given)>
-      solve_inclination = {};
+  Found (*solve_inclination)(const Eigen::Vector3d& position, const Eigen::Vector3d& up,
+                             double given) = nullptr;
   /// Whole poses of arms that are asked for less, with and without a seed.
-  std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
-  std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};
+  Found (*solve_pose)(const Pose<double>&, double tolerance) = nullptr;
+  Found (*solve_pose_from)(const Pose<double>&, const Vector& seed) = nullptr;
 };
 
 /// Returns the argument of a robot's main entry for a pose: not a number where the pose is invalid, which a
@@ -89,8 +86,10 @@ struct InverseUnderTest {
   std::vector<std::string> constants;  ///< names of the geometric constants
   InverseFunctions functions;
   reference::Values geometry = {};  ///< constants with other values than the defaults
+  bool asks_whole_poses = false;    ///< of an arm whose main entry is asked for less
 
   [[nodiscard]] Found solve(const Pose<double>& pose, double given, double tolerance) const {
+    if (asks_whole_poses) return functions.solve_pose(pose, tolerance);
     return functions.solve(pose, given, tolerance, geometry);
   }
   /// One branch after the other, also where there is a vector form.
@@ -98,6 +97,7 @@ struct InverseUnderTest {
     return functions.solve_scalar(pose, given, tolerance, geometry);
   }
   [[nodiscard]] Found solve_from(const Pose<double>& pose, double given, const Eigen::VectorXd& seed) const {
+    if (asks_whole_poses) return functions.solve_pose_from(pose, seed);
     return functions.solve_from(pose, given, seed, geometry);
   }
   [[nodiscard]] Found solve_near(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,

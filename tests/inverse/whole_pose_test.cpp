@@ -9,14 +9,8 @@ std::vector<InverseUnderTest> asked_for_whole_poses() {
   std::vector<InverseUnderTest> result;
   for (InverseUnderTest robot : inverses()) {
     if (!robot.functions.solve_pose) continue;
-    const InverseFunctions given = robot.functions;
     robot.info.task = Task::pose;
-    robot.functions.solve = [given](const Pose<double>& pose, double, double tolerance,
-                                    const reference::Values&) { return given.solve_pose(pose, tolerance); };
-    robot.functions.solve_from = [given](const Pose<double>& pose, double, const Eigen::VectorXd& seed,
-                                         const reference::Values&) {
-      return given.solve_pose_from(pose, seed);
-    };
+    robot.asks_whole_poses = true;
     result.push_back(robot);
   }
   return result;

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstring>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -22,6 +21,10 @@ inline std::map<std::string, InverseFunctions>& inverses_in_c() {
   return all;
 }
 
+inline bool add_inverse_in_c(const std::string& name, const InverseFunctions& functions) {
+  return inverses_in_c().emplace(name, functions).second;
+}
+
 /// Names of arms whose C++ is not compiled.
 inline std::set<std::string>& in_c_alone() {
   static std::set<std::string> all;
@@ -34,23 +37,36 @@ inline bool add_inverse_in_c_alone(InverseUnderTest arm) {
 }
 
 /// A solution next to a seed within limits, by the same names.
-using NearWithin = std::function<Found(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
-                                       const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+using NearWithin = Found (*)(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 inline std::map<std::string, NearWithin>& near_within_in_c() {
   static std::map<std::string, NearWithin> all;
   return all;
+}
+
+inline bool add_near_within_in_c(const std::string& name, NearWithin call) {
+  return near_within_in_c().emplace(name, call).second;
 }
 
 /// Every representative of a pose's solutions in C within limits, as C and as C++ goes through them.
 struct Representatives {
   std::vector<Row> c, cxx;
 };
-using RepresentativesOf = std::function<Representatives(
-    const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+using RepresentativesOf = Representatives (*)(const Pose<double>&, double given, const Eigen::VectorXd& lower,
+                                              const Eigen::VectorXd& upper);
 inline std::map<std::string, RepresentativesOf>& representatives_in_c() {
   static std::map<std::string, RepresentativesOf> all;
   return all;
 }
+
+inline bool add_representatives_in_c(const std::string& name, RepresentativesOf call) {
+  return representatives_in_c().emplace(name, call).second;
+}
+
+/// Returns what C++ goes through of solutions within limits, each joint's kind as a robot's `is_revolute` has
+/// it.
+std::vector<Row> representatives_in_cxx(const std::vector<Row>& rows, const Eigen::VectorXd& lower,
+                                        const Eigen::VectorXd& upper, const bool* is_revolute);
 
 /// So many of a hundred sets near singular poses, from a seed, may be others than those of C++. More where
 /// the sines of seeds are the C++ library's own, and not libm's.

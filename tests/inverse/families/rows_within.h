@@ -3,7 +3,6 @@
 // arms' names.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 
@@ -11,8 +10,8 @@
 
 namespace qvgen::test {
 
-using RowsWithin = std::function<Found(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
-                                       const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+using RowsWithin = Found (*)(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                             const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
 /// The calls of an arm, by its language: "C++", "C".
 using RowsWithinOf = std::map<std::string, RowsWithin>;
@@ -20,6 +19,10 @@ using RowsWithinOf = std::map<std::string, RowsWithin>;
 inline RowsWithinOf& rows_within(const std::string& arm) {
   static std::map<std::string, RowsWithinOf> all;
   return all[arm];
+}
+
+inline bool add_rows_within(const std::string& arm, const std::string& language, RowsWithin call) {
+  return rows_within(arm).emplace(language, call).second;
 }
 
 }  // namespace qvgen::test

@@ -47,7 +47,7 @@ const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", rob
     [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
     [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
     {}, {}, {}, @NEAR@, @PITCH@, @INCLINATION@}});
-const bool within = qvgen::test::rows_within("@NAME@").emplace("C++", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), qvgen::JointLimits<robot::dof>{lower, upper})); }).second;
+const bool within = qvgen::test::add_rows_within("@NAME@", "C++", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), qvgen::JointLimits<robot::dof>{lower, upper})); });
 }
 }
 )";
@@ -89,8 +89,8 @@ qvgen::test::InverseFunctions functions() {
   all.solve_from = [](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
 @NEAR@@PITCH@@INCLINATION@  return all;
 }
-const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
-@ALONE@const bool within = qvgen::test::rows_within("@NAME@").emplace("C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); }).second;
+const bool registered = qvgen::test::add_inverse_in_c("@NAME@", functions());
+@ALONE@const bool within = qvgen::test::add_rows_within("@NAME@", "C", [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics@SUFFIX@@OF@_within_limits(@ARGUMENTS@@GIVEN@, seed.data(), lower.data(), upper.data(), &@NAME@_default_geometry, 1e-13, set); }); });
 }
 }
 )";

@@ -3,11 +3,11 @@
 
 #include <Eigen/Core>
 
-/// Decompositions and products that many tests ask for, in plain loops: Eigen's templates take seconds in
-/// every file, and are what the generator and the runtime compute with.
+/// Decompositions and products that many tests ask for, compiled once: Eigen's templates take seconds in
+/// every file.
 namespace reference {
 
-/// m = u diag(values) v^T; values fall, u and v are square and orthogonal.
+/// m = u diag(values) v^T; values fall, u and v are square.
 struct SingularValues {
   Eigen::VectorXd values;
   Eigen::MatrixXd u, v;
@@ -31,7 +31,9 @@ double largest(const Eigen::MatrixXd& m);
 
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-/// Returns x of a x = b, a symmetric; the shortest if there are many.
+/// Returns the same of a matrix whose columns are independent only by more than a share of the longest.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double share);
+/// a x = b, a symmetric and positive or negative semidefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 }  // namespace reference
