@@ -112,7 +112,7 @@ function(qvgen_generate)
   endforeach()
 endfunction()
 
-# A project of many robots may name two targets in its list `qvgen_precompiled`, whose precompiled headers they reuse: qvgenRobot.cmake.
+# The list `qvgen_precompiled` may name headers that the robots of a project share: qvgen_robot_headers in qvgenRobot.cmake.
 function(qvgen_generate_cxx library robot namespace reading only)
   set(parts ${only})
   if(NOT parts)
