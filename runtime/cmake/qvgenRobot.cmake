@@ -36,6 +36,28 @@ function(qvgen_scalars target)
   endif()
 endfunction()
 
+# qvgen_robot_headers(variable NAME): makes one precompiled header for robots, NAME, and one for their inverse kinematics,
+# NAME_inverse: both are what qvgen_robot takes as PRECOMPILED.
+function(qvgen_robot_headers variable name)
+  set(targets ${name} ${name}_inverse)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp CONTENT "// Nothing but the header.\n")
+  foreach(target ${targets})
+    add_library(${target} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(${target} PRIVATE qvgen::core)
+    target_compile_features(${target} PRIVATE cxx_std_17)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      target_compile_options(${target} PRIVATE -fno-math-errno)
+    endif()
+    qvgen_light(${target})
+    target_precompile_headers(${target} PRIVATE <Eigen/Geometry> <array> <cmath> <limits>)
+  endforeach()
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${name}_inverse PRIVATE -ffp-contract=off -DQVGEN_NO_CONTRACTION)
+  endif()
+  set(${variable} ${targets} PARENT_SCOPE)
+endfunction()
+
 # qvgen_libraries_of(variable FILES file...): the libraries of the runtime that generated files include headers of. They are read
 # again when one of them changes.
 function(qvgen_libraries_of variable)
