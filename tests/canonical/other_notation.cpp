@@ -160,8 +160,6 @@ nlohmann::json committed_counts(const std::string& robot) {
   return nlohmann::json::parse(file).at(robot);
 }
 
-bool is_left_to_long_runs(const std::string& robot) {
-  return robot == "irb6640" && std::getenv("QVGEN_ARMS") == nullptr;
-}
+bool is_long_run() { return std::getenv("QVGEN_ARMS") != nullptr; }
 
 }  // namespace qvgen::test

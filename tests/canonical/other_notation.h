@@ -29,7 +29,7 @@ model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random
 /// the tool's.
 nlohmann::json committed_counts(const std::string& robot);
 
-/// True for a robot whose kind another one stands for in usual runs; long runs set QVGEN_ARMS.
-bool is_left_to_long_runs(const std::string& robot);
+/// True in long runs, which set QVGEN_ARMS; other runs take one robot for each kind.
+bool is_long_run();
 
 }  // namespace qvgen::test

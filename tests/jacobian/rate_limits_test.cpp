@@ -15,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using qvgen::VelocityStatus;
 using qvgen::test::RobotUnderTest;
+using reference::product;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -58,14 +59,15 @@ struct Problem {
   Problem(const MatrixXd& jacobian, const VectorXd& twist) {
     const reference::SingularValues parts = reference::singular_values(jacobian);
     const qvgen::InverseVelocityOptions<double> options;
-    curvature = jacobian.transpose() * jacobian;
-    slope = jacobian.transpose() * twist;
+    curvature = product(jacobian.transpose(), jacobian);
+    slope = product(jacobian.transpose(), twist);
     largest = std::max(parts.values[0], options.scale);
     const Eigen::Index rank = parts.values.size();
     for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
       const double share = parts.values[std::min(i, rank - 1)] / (options.threshold * largest);
       const double damping = share < 1 ? (1 - share) * options.damping * largest : 0;
-      curvature += damping * damping * parts.v.col(i) * parts.v.col(i).transpose();
+      const VectorXd direction = damping * parts.v.col(i);
+      curvature += product(direction, direction.transpose());
     }
     idle = parts.v.rightCols(jacobian.cols() - rank);
   }
