@@ -59,9 +59,7 @@ void add_generate(CommandLine& line) {
           "--language", line.language,
           "cxx; c, rust, javascript, octave, opencl or cuda: files in a folder of that name in the output")
       ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "octave", "opencl", "cuda"}));
-  command
-      .add_option("--scalar", line.scalar,
-                  "what C computes in: double, or float for controllers without double")
+  command.add_option("--scalar", line.scalar, "what C and kernels of devices compute in: double or float")
       ->check(CLI::IsMember({"double", "float"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
