@@ -88,8 +88,15 @@ def struct_of(values, number=ctypes.c_double):
     return Constants(*values)
 
 
-@pytest.mark.parametrize("scalar", ["double", "float"])
-def test_cuda_on_the_host(description, robot, scalar, tmp_path):
+def test_cuda_on_the_host(description, robot, tmp_path):
+    check_on_the_host(description, robot, "double", tmp_path)
+
+
+def test_cuda_in_float_on_the_host(tmp_path):
+    check_on_the_host("ns", qvgen.robots.ns, "float", tmp_path)
+
+
+def check_on_the_host(description, robot, scalar, tmp_path):
     """In double bit by bit; in float to its rounding."""
     library = on_the_host(description, robot, tmp_path, "--scalar", scalar)
     number, kind = (ctypes.c_double, np.float64) if scalar == "double" else (ctypes.c_float, np.float32)

@@ -117,6 +117,9 @@ class Robot:
         subprocess.run([os.environ.get("CC", "cc"), "-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-shared",
                         f"{self.c}/{self.name}_rows.c", *sources, "-o", library, "-lm"], check=True)
         self.library = ctypes.CDLL(str(library.resolve()))
+        if self.has_inverse:
+            self.capacity = self.library[f"{self.name}_capacity"]()
+            self.dof = int(re.search(rf"enum {{ {self.name}_dof = (\d+) }}", self.kernels)[1])
         return self
 
     def size(self, function):
@@ -158,10 +161,9 @@ class Robot:
 
     def solutions(self, orientation, position, tolerance):
         """All solutions of poses by C: joints, branches, counts, statuses."""
-        n, capacity = orientation.shape[1], self.library[f"{self.name}_capacity"]()
-        dof = int(re.search(rf"enum {{ {self.name}_dof = (\d+) }}", self.kernels)[1])
-        results = [np.full((capacity * dof, n), np.nan, self.kind), np.zeros((capacity, n), np.int32), np.zeros(n, np.int32),
-                   np.zeros(n, np.int32)]
+        n = orientation.shape[1]
+        results = [np.full((self.capacity * self.dof, n), np.nan, self.kind), np.zeros((self.capacity, n), np.int32),
+                   np.zeros(n, np.int32), np.zeros(n, np.int32)]
         pointers = [ctypes.c_void_p(each.ctypes.data) for each in (orientation, position, *results)]
         rows = self.library[f"{self.name}_inverse_rows"]
         self.in_threads(lambda begin, end: rows(ctypes.c_size_t(begin), ctypes.c_size_t(end), ctypes.c_size_t(n), *pointers[:2],

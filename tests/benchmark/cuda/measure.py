@@ -26,6 +26,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import device  # noqa: E402
 import kernels  # noqa: E402
+from inputs import arguments, on, poses_for  # noqa: E402
 from nvcc_test import kernels_of, nvcc  # noqa: E402
 
 SKIPPED = 77
@@ -72,47 +73,6 @@ def resources_in(log):
     return {name: (registers, stack, spilled) for name, registers, stack, spilled in kernels_of(log)}
 
 
-# --- what goes in ---------------------------------------------------------------------------------------------------------------
-
-
-def inputs(parameter, n, random, kind):
-    """Random numbers, and among the first rows special ones: zeros, right angles, large angles, values that are no numbers."""
-    if parameter.name == "standard":
-        return random.uniform(0.2, 1, (parameter.size, n)).astype(kind)
-    values = random.uniform(-3, 3, (parameter.size, n))
-    if parameter.name == "base":
-        values[:4] /= np.linalg.norm(values[:4], axis=0)
-    elif n > 8:
-        values[:, 0] = 0
-        values[:, 1] = np.pi / 2
-        values[:, 2] = -np.pi
-        values[:, 3] = 1e6 + values[:, 3]  # beyond the short reduction of sines in float, within that in double
-        values[0, 4] = np.nan
-        values[-1, 5] = np.inf
-    return values.astype(kind)
-
-
-def arguments(robot, function, n, random):
-    """Makes what C takes, and what the kernel takes: arrays, numbers, constants by their structure's name or as bytes."""
-    host, card = [], []
-    for each in function.parameters:
-        if each.size:
-            host.append(inputs(each, n, random, robot.kind))
-            card.append(host[-1])
-        elif each.structure:
-            host.append(each.structure)
-            if data := robot.constants(each.structure):
-                card.append(data)
-        else:
-            host.append(9.81)
-            card.append(robot.kind(9.81))
-    return host, card
-
-
-def on(card, given):
-    return [card.array(each) if isinstance(each, np.ndarray) else each for each in given]
-
-
 # --- check ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -151,21 +111,6 @@ def check_function(robot, card, kernel, function, rows, seed):
         if n:
             worst = max(worst, difference(everything[:size * n * item].view(robot.kind).reshape(size, n), robot.rows(function, host, n)))
     return worst
-
-
-def poses_for(robot, n, random):
-    """Poses of random joints; the first ones singular or nearly so, out of reach, no rotations, no numbers."""
-    function = next(each for each in robot.functions if each.name == f"{robot.name}_forward_kinematics")
-    size = function.parameters[0].size
-    q = random.uniform(-3, 3, (size, n)).astype(robot.kind)
-    special = min(n, 200)
-    q[:, :special] = random.choice([0, np.pi / 2, np.pi], (size, special)) + random.choice([0, 1e-9], special)
-    poses = robot.rows(function, [q, *[each.structure for each in function.parameters[1:]]], n)
-    if n > 1000:
-        poses[4:, 200:300] += 30
-        poses[:4, 300] *= 1.1
-        poses[4, 301], poses[0, 302], poses[:, 303] = np.nan, np.nan, 0
-    return np.ascontiguousarray(poses[:4]), np.ascontiguousarray(poses[4:])
 
 
 def check_inverse(robot, card, module, rows):
@@ -359,14 +304,13 @@ def measure_inverse(card, robot, module, rows, limits, counted, resources):
     name, random = f"{robot.name}_inverse_kinematics", np.random.default_rng(1)
     n = min(rows, 1 << 20)
     orientation, position = poses_for(robot, n, random)
-    capacity, dof = robot.library[f"{robot.name}_capacity"](), int(re.search(rf"enum {{ {robot.name}_dof = (\d+) }}", robot.kernels)[1])
     item = np.dtype(robot.kind).itemsize
-    found = [card.empty(size * n) for size in (capacity * dof * item, capacity * 4, 4, 4)]
+    found = [card.empty(size * n) for size in (robot.capacity * robot.dof * item, robot.capacity * 4, 4, 4)]
     constants = [data for data in [robot.constants(f"{robot.name}_geometry")] if data]
     given = [n, card.array(orientation), card.array(position), *constants, robot.kind(1e-13 if item == 8 else 8e-6), *found]
     kernel = module.kernel(f"{name}_batch")
     seconds = card.seconds(lambda: kernel(n, given))
-    moved = 7 * item + capacity * (dof * item + 4) + 8
+    moved = 7 * item + robot.capacity * (robot.dof * item + 4) + 8
     print(Measured(name, n, seconds, moved, None, limits, resources[name]).line("-"), flush=True)
 
 
@@ -395,7 +339,8 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("--rows", type=int, default=0)
     parser.add_argument("--robots", default="")
-    parser.add_argument("--huge", action="store_true", help="one kernel over more than 2^32 configurations")
+    parser.add_argument("--huge", action="store_true",
+                        help="one kernel over more than 2^32 configurations")
     parser.add_argument("--fused", action="store_true", help="products and sums in one operation")
     parser.add_argument("--transfers", action="store_true", help="also with transfers")
     line = parser.parse_args()
