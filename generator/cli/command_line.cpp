@@ -52,9 +52,7 @@ void add_parts(CommandLine& line, CLI::App& command) {
           "--language", line.language,
           "cxx; c, rust, javascript, octave, opencl or cuda: files in a folder of that name in the output")
       ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "octave", "opencl", "cuda"}));
-  command
-      .add_option("--scalar", line.scalar,
-                  "what C computes in: double, or float for controllers without double")
+  command.add_option("--scalar", line.scalar, "what C and kernels of devices compute in: double or float")
       ->check(CLI::IsMember({"double", "float"}));
 }
 

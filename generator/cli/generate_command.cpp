@@ -87,7 +87,7 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
     const std::string origin =
         origin_of(file, arguments.output, arguments.known_robots) + origin_options(arguments.read) +
         (comes_from_c(arguments.language) ? " --language " + row_of(arguments.language).name : "") +
-        (arguments.language == Language::c_in_float ? " --scalar float" : "");
+        (is_in_float(arguments.language) ? " --scalar float" : "");
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
                     snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));

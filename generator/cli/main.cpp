@@ -134,13 +134,14 @@ void check_parts_of(const GenerateArguments& generate) {
 int generate(CommandLine& line, const Installation& here) {
   GenerateArguments& generate = line.generate;
   check_parts_of(generate);
-  if (line.scalar == "float" && line.language != "c")
-    throw UsageError(
-        "--scalar float: it is for --language c; functions of C++ take float as they are, crates of Rust "
-        "have the feature f32, other languages compute in double");
   for (const LanguageRow& row : languages())
     if (row.name == line.language) generate.language = row.language;
-  if (line.scalar == "float") generate.language = Language::c_in_float;
+  if (line.scalar == "float" && !is_in_float(in_float(generate.language)))
+    throw UsageError(
+        "--scalar float: it is for --language c, opencl and cuda; functions of C++ take float as they are, "
+        "crates of Rust "
+        "have the feature f32, other languages compute in double");
+  if (line.scalar == "float") generate.language = in_float(generate.language);
   generate.known_robots = here.robots;
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;

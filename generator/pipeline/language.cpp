@@ -48,16 +48,17 @@ const std::vector<LanguageRow>& languages() {
        "functions of Octave and MATLAB in octave/, over columns; all of them compiled (MEX)",
        "double, the bits of C", lacks_of_translations()},
       {Language::opencl, "opencl", "kernels in opencl/, a configuration a thread",
-       "double, C's but for the device's sines", lacks_of_translations()},
+       "double, C's but for the device's sines; or float (--scalar float)", lacks_of_translations()},
       {Language::cuda, "cuda", "kernels in cuda/, a configuration a thread",
-       "double, C's but for the device's sines", lacks_of_translations()}};
+       "double, C's but for the device's sines; or float (--scalar float)", lacks_of_translations()}};
   return table;
 }
 
 const LanguageRow& row_of(Language language) {
-  const Language own = language == Language::c_in_float ? Language::c : language;
   const auto& rows = languages();
-  return *std::find_if(rows.begin(), rows.end(), [&](const LanguageRow& row) { return row.language == own; });
+  return *std::find_if(rows.begin(), rows.end(), [&](const LanguageRow& row) {
+    return row.language == language || in_float(row.language) == language;
+  });
 }
 
 std::string lack_of(const LanguageRow& row, const std::string& part) {

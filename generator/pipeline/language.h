@@ -7,8 +7,19 @@
 /// The one table of languages: `--language`, the folders of the output and `qvgen languages` read it.
 namespace qvgen::pipeline {
 
-/// Language of the output; C in double or in float.
-enum class Language { cxx, c, c_in_float, rust, javascript, octave, opencl, cuda };
+/// Language of the output; C and kernels of devices in double or in float.
+enum class Language {
+  cxx,
+  c,
+  c_in_float,
+  rust,
+  javascript,
+  octave,
+  opencl,
+  opencl_in_float,
+  cuda,
+  cuda_in_float
+};
 
 /// True for languages that are made of a robot's whole C.
 inline bool is_translated(Language language) {
@@ -16,7 +27,20 @@ inline bool is_translated(Language language) {
 }
 /// True for kernels of devices.
 inline bool is_of_devices(Language language) {
-  return language == Language::opencl || language == Language::cuda;
+  return language == Language::opencl || language == Language::opencl_in_float ||
+         language == Language::cuda || language == Language::cuda_in_float;
+}
+/// True for languages that compute in float.
+inline bool is_in_float(Language language) {
+  return language == Language::c_in_float || language == Language::opencl_in_float ||
+         language == Language::cuda_in_float;
+}
+/// Returns the language in float, or itself if it has no such form.
+inline Language in_float(Language language) {
+  return language == Language::c        ? Language::c_in_float
+         : language == Language::opencl ? Language::opencl_in_float
+         : language == Language::cuda   ? Language::cuda_in_float
+                                        : language;
 }
 
 /// Parts that a language has not, and why.
@@ -36,7 +60,7 @@ struct LanguageRow {
 /// Languages that `--language` takes, C++ first.
 const std::vector<LanguageRow>& languages();
 
-/// The row of a language; C in float has C's.
+/// Returns the row of a language; those in float have the rows of double.
 const LanguageRow& row_of(Language language);
 
 /// The reason for which a language lacks a part; empty if it has it.

@@ -43,16 +43,24 @@ std::vector<std::pair<std::string, std::string>> crate(const RobotOutput& output
   return emit::rust::crate(unit, in_single, missing);
 }
 
-/// Kernels of the robot's functions, and of all solutions of its poses.
+/// Returns C with the marks of numbers read for a language.
+std::string with_numbers(Language language, const std::string& code) {
+  return is_in_float(language) ? emit::c::with_single_numbers(code) : emit::c::in_double_precision(code);
+}
+
+/// Kernels of the robot's functions, and of all solutions of its poses. Those in float are printed in double,
+/// with the numbers of float, and then renamed.
 OutputFile kernels(const std::string& path, Language language, const emit::blocks::Unit& unit,
                    const std::vector<emit::blocks::File>& files, const std::vector<std::string>& missing) {
-  const bool is_opencl = language == Language::opencl;
-  const auto device = is_opencl ? emit::kernels::Device::opencl : emit::kernels::Device::cuda;
-  return {path + (is_opencl ? ".cl" : ".cu"),
-          emit::kernels::file(device, unit,
-                              {content(files, "", true), content(files, "", false),
-                               content(files, "inverse", true), content(files, "inverse", false)},
-                              missing)};
+  const bool is_opencl = row_of(language).language == Language::opencl;
+  const emit::kernels::Target target{is_opencl ? emit::kernels::Device::opencl : emit::kernels::Device::cuda,
+                                     is_in_float(language)};
+  const std::string text =
+      emit::kernels::file(target, unit,
+                          {content(files, "", true), content(files, "", false),
+                           content(files, "inverse", true), content(files, "inverse", false)},
+                          missing);
+  return {path + (is_opencl ? ".cl" : ".cu"), target.in_float ? emit::c::in_single_precision(text) : text};
 }
 
 }  // namespace
@@ -62,7 +70,8 @@ RobotOutput translated(RobotOutput output, Language language) {
   const std::string mark = language == Language::octave ? "/+qvgen_" : "/qvgen_";
   const std::string folder = row_of(language).name + mark + output.robot + "/";
   try {
-    const std::vector<emit::blocks::File> c = blocks_of(output, emit::c::in_double_precision);
+    const std::vector<emit::blocks::File> c =
+        blocks_of(output, [&](const std::string& code) { return with_numbers(language, code); });
     const emit::blocks::Unit unit = emit::blocks::parse(output.robot, c);
     const std::vector<std::string> missing = lines_of_missing(output);
     if (is_of_devices(language)) {

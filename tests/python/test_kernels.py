@@ -82,29 +82,42 @@ def on_the_host(description, robot, folder, *options):
     return ctypes.CDLL(str(folder / "host.so"))
 
 
-def struct_of(values):
+def struct_of(values, number=ctypes.c_double):
     class Constants(ctypes.Structure):
-        _fields_ = [(f"x{i}", ctypes.c_double) for i in range(len(values))]
+        _fields_ = [(f"x{i}", number) for i in range(len(values))]
     return Constants(*values)
 
 
 def test_cuda_on_the_host(description, robot, tmp_path):
-    library = on_the_host(description, robot, tmp_path)
+    check_on_the_host(description, robot, "double", tmp_path)
+
+
+def test_cuda_in_float_on_the_host(tmp_path):
+    check_on_the_host("ns", qvgen.robots.ns, "float", tmp_path)
+
+
+def check_on_the_host(description, robot, scalar, tmp_path):
+    """In double bit by bit; in float to its rounding."""
+    library = on_the_host(description, robot, tmp_path, "--scalar", scalar)
+    number, kind = (ctypes.c_double, np.float64) if scalar == "double" else (ctypes.c_float, np.float32)
     every = cases(robot)
     assert len(every) > 15
     for case in every:
-        got = np.full((case.wanted.shape[1], COUNT), np.nan)
+        got = np.full((case.wanted.shape[1], COUNT), np.nan, kind)
         kept = []
 
-        def array_of(array):
-            kept.append(array)
-            return ctypes.c_void_p(array.ctypes.data)
+        def array_of(array, kept=kept):
+            kept.append(array.astype(kind))
+            return ctypes.c_void_p(kept[-1].ctypes.data)
 
-        arguments = case.call(array_of, struct_of, ctypes.c_double)
+        arguments = case.call(array_of, lambda values: struct_of(values, number), number)
         for thread in range(COUNT + 3):  # those behind the last configuration do nothing
             library.go_to(ctypes.c_size_t(thread))
             getattr(library, case.name)(ctypes.c_size_t(COUNT), *arguments, ctypes.c_void_p(got.ctypes.data))
-        np.testing.assert_array_equal(got.T, case.wanted, err_msg=case.name)
+        if scalar == "double":
+            np.testing.assert_array_equal(got.T, case.wanted, err_msg=case.name)
+        else:
+            np.testing.assert_allclose(got.T, case.wanted, atol=1e-5 * max(1, np.abs(case.wanted).max()), rtol=1e-3, err_msg=case.name)
 
 
 class Poses:

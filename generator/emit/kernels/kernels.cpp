@@ -112,9 +112,10 @@ bool is_kernel(const blocks::Function& function) {
 
 }  // namespace
 
-std::string file(Device device, const blocks::Unit& unit, const Sources& c,
+std::string file(const Target& target, const blocks::Unit& unit, const Sources& c,
                  const std::vector<std::string>& missing) {
   json values{{"name", unit.robot}, {"kernels", json::array()}, {"has_missing", !missing.empty()}};
+  values["real"] = target.in_float ? "float" : "double";
   values["missing"] = json::array();
   for (const std::string& line : missing) values["missing"].push_back({{"line", line}});
   values["text"] = device_text(unit.robot, c.header) + device_text(unit.robot, c.source);
@@ -123,8 +124,8 @@ std::string file(Device device, const blocks::Unit& unit, const Sources& c,
     if (is_kernel(function))
       if (const json each = kernel(unit, function); !each.is_null()) values["kernels"].push_back(each);
   const bool has_inverse = !values["inverse"].get<std::string>().empty();
-  values["head"] = render(device == Device::opencl ? "kernels/opencl.head" : "kernels/cuda.head",
-                          {{"has_inverse", has_inverse}});
+  values["head"] = render(target.device == Device::opencl ? "kernels/opencl.head" : "kernels/cuda.head",
+                          {{"has_inverse", has_inverse}, {"in_float", target.in_float}});
   return render("kernels/file", values);
 }
 

@@ -16,13 +16,19 @@ namespace qvgen::emit::kernels {
 
 enum class Device { opencl, cuda };
 
+/// A device's language, and whether the text will be renamed to float (`emit/c/single_precision.h`).
+struct Target {
+  Device device;
+  bool in_float;
+};
+
 /// Texts of the robot's C; those of inverse kinematics may be empty.
 struct Sources {
   std::string header, source, inverse_header, inverse_source;
 };
 
 /// Text of the file. `unit` is the tree of the sources; `missing` are lines for its head.
-std::string file(Device device, const blocks::Unit& unit, const Sources& c,
+std::string file(const Target& target, const blocks::Unit& unit, const Sources& c,
                  const std::vector<std::string>& missing);
 
 }  // namespace qvgen::emit::kernels
