@@ -54,7 +54,7 @@ class Function:
         if self.returns:
             kind, lines = self.real, [*lines, f"result[k] = {self.name}({', '.join(call)});"]
         else:
-            kind = self.last.structure or f"{self.real}"
+            kind = self.last.structure or self.real
             variable = f"{kind} result_{'' if self.last.structure else self.last.shape};"
             reference = "&result_" if self.last.structure else "result_"
             lines += [variable, f"{self.name}({', '.join([*call, reference])});",
