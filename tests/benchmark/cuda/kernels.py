@@ -96,7 +96,7 @@ class Robot:
         self.c = self.folder / "c"
         header = (self.c / f"qvgen_{name}.h").read_text()
         there = set(re.findall(r"KERNEL void (\w+)_batch\(", self.kernels))
-        declared = re.findall(rf"^(void|double|float) (\w+)\(([^)]*)\);", header, re.M)
+        declared = re.findall(r"^(void|double|float) (\w+)\(([^)]*)\);", header, re.M)
         self.functions = [Function(*each, real) for each in declared if each[1] in there]
         self.has_inverse = f"{name}_inverse_kinematics" in there
         left_out = there - {each.name for each in self.functions} - {f"{name}_inverse_kinematics"}
