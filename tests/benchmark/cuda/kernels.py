@@ -54,7 +54,7 @@ class Function:
         if self.returns:
             kind, lines = self.real, [*lines, f"result[k] = {self.name}({', '.join(call)});"]
         else:
-            kind = self.last.structure or f"{self.real}"
+            kind = self.last.structure or self.real
             variable = f"{kind} result_{'' if self.last.structure else self.last.shape};"
             reference = "&result_" if self.last.structure else "result_"
             lines += [variable, f"{self.name}({', '.join([*call, reference])});",
@@ -96,7 +96,7 @@ class Robot:
         self.c = self.folder / "c"
         header = (self.c / f"qvgen_{name}.h").read_text()
         there = set(re.findall(r"KERNEL void (\w+)_batch\(", self.kernels))
-        declared = re.findall(rf"^(void|double|float) (\w+)\(([^)]*)\);", header, re.M)
+        declared = re.findall(r"^(void|double|float) (\w+)\(([^)]*)\);", header, re.M)
         self.functions = [Function(*each, real) for each in declared if each[1] in there]
         self.has_inverse = f"{name}_inverse_kinematics" in there
         left_out = there - {each.name for each in self.functions} - {f"{name}_inverse_kinematics"}

@@ -280,24 +280,27 @@ def measure(card, folder, wanted, rows, options, transfers):
     for robot in robots_in(folder, wanted):
         robot.build()
         cubin, resources = compiled(robot, card, options)
-        module, counted, item = card.module(cubin), operations(cubin), np.dtype(robot.kind).itemsize
+        module, counted = card.module(cubin), operations(cubin)
         print(f"\n{robot.name}, {robot.real}, {' '.join(options)}\n{'':58}{'1e6/s':>10}{'with PCIe':>10}{'regs':>6}{'stack':>7}{'spill':>7}"
               f"{'bytes':>9}{'numbers':>9}")
         for function in robot.functions:
-            random, size = np.random.default_rng(1), robot.size(function)
-            n = int(min(rows, 0.4 * card.free_bytes() / (item * (size + sum(each.size for each in function.parameters)))))
-            host, given = arguments(robot, function, n, random)
-            given = on(card, given)
-            arrays = [each for each in given if isinstance(each, device.Array)] + [card.empty(size * n * item)]
-            before = len(arrays) - 1
-            inside, whole = time_kernel(card, module.kernel(f"{function.name}_batch"), arrays,
-                                        lambda arrays: [n, *given, arrays[-1]], [each.size for each in arrays], n, pinned, before)
-            moved = item * (size + sum(each.size for each in function.parameters))
-            row = Measured(function.name, n, inside, moved, counted.get(f"{function.name}_batch"), limits, resources.get(function.name, (0, 0, 0)))
-            print(row.line(f"{n / whole / 1e6:.1f}" if whole else "-"), flush=True)
-            del arrays, given
+            print(measure_function(card, robot, module, function, rows, limits, counted, resources, pinned), flush=True)
         if robot.has_inverse:
             measure_inverse(card, robot, module, rows, limits, counted, resources)
+
+
+def measure_function(card, robot, module, function, rows, limits, counted, resources, pinned):
+    """A line of the table; fewer rows where they would not fit on the card."""
+    random, size, item = np.random.default_rng(1), robot.size(function), np.dtype(robot.kind).itemsize
+    moved = item * (size + sum(each.size for each in function.parameters))
+    n = int(min(rows, 0.4 * card.free_bytes() / moved))
+    given = on(card, arguments(robot, function, n, random)[1])
+    arrays = [each for each in given if isinstance(each, device.Array)] + [card.empty(size * n * item)]
+    inside, whole = time_kernel(card, module.kernel(f"{function.name}_batch"), arrays, lambda arrays: [n, *given, arrays[-1]],
+                                [each.size for each in arrays], n, pinned, len(arrays) - 1)
+    row = Measured(function.name, n, inside, moved, counted.get(f"{function.name}_batch"), limits,
+                   resources.get(function.name, (0, 0, 0)))
+    return row.line(f"{n / whole / 1e6:.1f}" if whole else "-")
 
 
 def measure_inverse(card, robot, module, rows, limits, counted, resources):

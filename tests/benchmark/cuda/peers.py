@@ -20,7 +20,6 @@ import tomllib  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import device  # noqa: E402
-import kernels  # noqa: E402
 import measure  # noqa: E402
 
 TABLE = pathlib.Path(__file__).resolve().parents[3] / "generator/robots/puma560.toml"
