@@ -158,6 +158,21 @@ TEST(NamedSilentPoses, AreFoundOrTold) {
        in_line(),
        {-1.5707856213617841, -1.5707834817678756, 1.5707977875070214, 3.1416085378251921,
         -9.0524514264290382e-06, 1.5708123577392863}},
+      {"solutions in valleys of rows, none of which is a stray",
+       crx10ia(),
+       {-2.3562256390407401, -3.1415685789407579, -1.5707692971156149, 2.3561951092350686,
+        -1.5708005599109023, 3.1415698703128889}},
+      {"solutions in a valley 1.5e-3 apart",
+       crx10ia(),
+       {1.5701849637648027, -3.1421703357981854, -1.5704873625459197, 0.00032179277451042628,
+        1.5698935252792343, -1.5718063045959692}},
+      {"solutions that nearly meet",
+       crx10ia(),
+       {-pi, -3 * eighth, 0.0019953690035652608, -pi, right, -right}},
+      {"more valleys than strays that are remembered",
+       crx10ia(),
+       {-2.3562679402484048, -3.141686707901969, -1.5708251529540573, -2.3563291035503529,
+        -1.5706748405832804, -2.3563388767600717}},
   };
   for (const Named& each : all) {
     const auto setup = inverse::elimination::set_up(each.arm.description());

@@ -66,7 +66,7 @@ class SingularPoses : public testing::TestWithParam<Arm> {
     EXPECT_LE(result.told, result.poses / 10);
     EXPECT_LE(result.silent, result.poses / 200);
     EXPECT_LE(result.passes, 5.0 * result.poses);
-    EXPECT_LE(result.steps, 250.0 * result.poses);
+    EXPECT_LE(result.steps, 500.0 * result.poses);
   }
 };
 

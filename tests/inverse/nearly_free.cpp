@@ -63,21 +63,26 @@ bool stands_for(const Case& test, const Found& found, const Sample& sample) {
   return contains(test, marked, sample, close);
 }
 
+/// Counts a call whose answer neither says that rows may be missing nor has them.
+void count_call(const Case& test, const char* call, bool told, bool has_them, const Sample& sample,
+                LostRows& result) {
+  ++result.calls;
+  result.told += told ? 1 : 0;
+  if (told || has_them || ++result.lost > 1) return;
+  std::ostringstream text;
+  text.precision(17);
+  text << test.robot().name << ", " << call << ": " << sample.q.transpose();
+  result.first = text.str();
+}
+
 }  // namespace
 
 LostRows lost_next_to_singular(Case& test, int poses) {
   LostRows result;
   const InverseUnderTest& robot = test.robot();
   const auto look_at = [&](const char* call, const Found& found, const Sample& sample) {
-    ++result.calls;
     const bool told = found.status == Status::incomplete;
-    result.told += told ? 1 : 0;
-    if (told || stands_for(test, found, sample)) return;
-    if (++result.lost > 1) return;
-    std::ostringstream text;
-    text.precision(17);
-    text << robot.name << ", " << call << ": " << sample.q.transpose();
-    result.first = text.str();
+    count_call(test, call, told, told || stands_for(test, found, sample), sample, result);
   };
   for (int i = 0; i < poses; ++i) {
     const std::optional<Sample> sample = next_to_singular(test, i);
@@ -90,6 +95,18 @@ LostRows lost_next_to_singular(Case& test, int poses) {
               robot.solve_within(sample->pose, given, sample->q.array() - 1, sample->q.array() + 1), *sample);
     if (robot.functions.solve_near)
       look_at("near", robot.solve_near(sample->pose, given, sample->q), *sample);
+  }
+  return result;
+}
+
+LostRows lost_at_two_singularities(Case& test, int poses) {
+  LostRows result;
+  for (int i = 0; i < poses; ++i) {
+    const std::optional<Sample> sample = at_two_singularities(test, i);
+    if (!sample) continue;
+    const Found found = test.robot().solve(sample->pose, test.given(sample->q), inverse::default_tolerance);
+    const bool told = found.status == Status::incomplete;
+    count_call(test, "all", told, told || contains(test, found, *sample, close), *sample, result);
   }
   return result;
 }

@@ -22,4 +22,8 @@ struct LostRows {
 /// Asks for all rows, for rows from another seed or within limits, and for the row near the sampled joints.
 LostRows lost_next_to_singular(Case& test, int poses);
 
+/// Asks for all rows where two singularities are at once. Solutions that rounding does not tell apart are one
+/// row there: joints that a curve of solutions joins to any row are not lost.
+LostRows lost_at_two_singularities(Case& test, int poses);
+
 }  // namespace qvgen::test

@@ -143,6 +143,31 @@ class Singularity {
   Eigen::MatrixXd space_;
 };
 
+/// Turns one joint until a function of the joints changes its sign; false if it keeps its sign all the way
+/// round.
+bool turn_to_zero(const std::function<double(const Eigen::VectorXd&)>& function, int joint,
+                  Eigen::VectorXd& q) {
+  const auto value = [&](double t) {
+    q[joint] = t;
+    return function(q);
+  };
+  constexpr int steps = 12;
+  for (int k = 0; k < steps; ++k) {
+    double low = -pi + 2 * pi * k / steps;
+    double high = low + 2 * pi / steps;
+    const double at_low = value(low);
+    if ((at_low < 0) == (value(high) < 0)) continue;
+    while (std::abs(high - low) > 1e-16 * (1 + std::abs(low))) {
+      const double middle = (low + high) / 2;
+      if (middle == low || middle == high) break;
+      ((value(middle) < 0) == (at_low < 0) ? low : high) = middle;
+    }
+    q[joint] = low;
+    return true;
+  }
+  return false;
+}
+
 /// Joints at which two branches meet: the boundary of what a branch reaches, found by turning one joint until
 /// the determinant changes its sign.
 Drawn at_a_boundary(Case& test, int i) {
@@ -150,24 +175,7 @@ Drawn at_a_boundary(Case& test, int i) {
   const int joint = joint_in_turn(test, i);
   for (int attempt = 0; attempt < 5; ++attempt) {
     Eigen::VectorXd q = test.joints();
-    const auto value = [&](double t) {
-      q[joint] = t;
-      return determinant(q);
-    };
-    constexpr int steps = 12;
-    for (int k = 0; k < steps; ++k) {
-      double low = -pi + 2 * pi * k / steps;
-      double high = low + 2 * pi / steps;
-      const double at_low = value(low);
-      if ((at_low < 0) == (value(high) < 0)) continue;
-      while (std::abs(high - low) > 1e-16 * (1 + std::abs(low))) {
-        const double middle = (low + high) / 2;
-        if (middle == low || middle == high) break;
-        ((value(middle) < 0) == (at_low < 0) ? low : high) = middle;
-      }
-      q[joint] = low;
-      return sample_at(test, q);
-    }
+    if (turn_to_zero(determinant, joint, q)) return sample_at(test, q);
   }
   // Some joints (the first, the last) never decide: an ordinary pose would say nothing, so there is none.
   return std::nullopt;
@@ -273,6 +281,39 @@ std::vector<PoseSet> all() {
 }
 
 }  // namespace
+
+/// One joint is turned until the determinant changes its sign, then another until the determinant's slope
+/// along the first does.
+std::optional<Sample> at_two_singularities(Case& test, int i) {
+  const Singularity determinant(test);
+  const int inner = test.dof() - 2, one = 1 + i % inner,
+            other = 1 + (i + 1 + i / inner % (inner - 1)) % inner;
+  Eigen::VectorXd q = test.joints();
+  if (!turn_to_zero(determinant, one, q)) return std::nullopt;
+  const auto slope = [&](Eigen::VectorXd place) {
+    constexpr double little = 1e-3;
+    place[one] += little;
+    const double above = determinant(place);
+    place[one] -= 2 * little;
+    return above - determinant(place);
+  };
+  if (!turn_to_zero(slope, other, q)) return std::nullopt;
+  // The determinant vanishes along either joint, and beside both it does not.
+  const auto beside = [&](double by_one, double by_other) {
+    Eigen::VectorXd place = q;
+    place[one] += by_one;
+    place[other] += by_other;
+    return std::abs(determinant(place));
+  };
+  constexpr double aside = 1e-2, vanishing = 1e-6;
+  const double both = vanishing * beside(aside, aside);
+  if (!(beside(aside, 0) < both && beside(0, aside) < both)) return std::nullopt;
+  for (const int joint : {one, other}) {
+    const double size = test.uniform(0, 1) < 0.15 ? 0 : std::pow(10, -test.uniform(2, 14));
+    q[joint] += test.uniform(-1, 1) < 0 ? -size : size;
+  }
+  return sample_at(test, q);
+}
 
 const std::vector<PoseSet>& pose_sets() {
   static const std::vector<PoseSet> sets = all();

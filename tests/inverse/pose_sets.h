@@ -38,6 +38,10 @@ struct PoseSet {
 const std::vector<PoseSet>& pose_sets();
 const PoseSet& pose_set(const std::string& name);
 
+/// Draws the i-th pose of an arm with two singularities at once, or next to both: two joints are each off by
+/// 10^-u, u in [2, 14], or not at all. None if the joints that are tried have no such place.
+std::optional<Sample> at_two_singularities(Case& test, int i);
+
 /// A pose that the sampled joints reach.
 Sample sample_at(Case& test, const Eigen::VectorXd& q);
 

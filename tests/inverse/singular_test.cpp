@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seeds at singular poses, order, limits.
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "check.h"
@@ -116,6 +117,26 @@ TEST_P(InverseSeed, WhatIsNearlyFreeIsMarked) {
 TEST_P(InverseSeed, ARowStandsForJointsNextToSingularOnes) {
   if (by_elimination()) GTEST_SKIP() << "the law of tests/elimination";
   expect_a_row_next_to_singular_poses(pose_count() / 5);
+}
+
+TEST_P(InverseSeed, TwoSingularitiesAtOnceHideNothing) { expect_a_row_at_two_singularities(pose_count()); }
+
+/// Joints of a ur5 that were in no row: two singularities, and three, within rounding.
+TEST(TwoSingularities, OfAUr5HideNothing) {
+  const auto& robots = inverses();
+  const auto ur5 = std::find_if(robots.begin(), robots.end(), [](const auto& r) { return r.name == "ur5"; });
+  ASSERT_NE(ur5, robots.end());
+  Case test(*ur5);
+  for (const std::array<double, 6>& joints :
+       {std::array{1.6395661965291712, 0.56404018122803423, 5.5039006890810915e-12, -1.8333133451217776,
+                   3.6754804506319222e-12, -8.3145123157920099e-08},
+        std::array{2.9510232981686428, 0.658273254539393, 5.2234362333070582e-07, 4.7123889803851089,
+                   3.1415926535850742, -0.84207534806332962}}) {
+    const Sample sample = sample_at(test, Eigen::Map<const Eigen::VectorXd>(joints.data(), 6));
+    const Found found = test.robot().solve(sample.pose, 0, inverse::default_tolerance);
+    EXPECT_TRUE(found.status == Status::incomplete || contains(test, found, sample, 5e-3))
+        << sample.q.transpose();
+  }
 }
 
 TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {

@@ -92,7 +92,9 @@ Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
       seed_(seed_of(setup, preference)),
       seeded_(preference.seeded),
       pass_(pass),
-      tracker_(setup.eliminations[0].pair == Pair::slides ? most_of_slides : most) {}
+      tracker_(setup.eliminations[0].pair == Pair::slides ? most_of_slides : most) {
+  tracker_.never_hold_idle();  // valleys are searched
+}
 
 /// Those that are set up, then the further ones; null if enough have been asked for.
 const Elimination* Careful::next_elimination() {

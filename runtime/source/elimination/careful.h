@@ -115,6 +115,7 @@ class Careful {
   [[nodiscard]] bool is_next_to_continuum(const Values& values);
   [[nodiscard]] bool has_row_near(const Values& values, double near) const;
   void search_valleys();
+  [[nodiscard]] double way_to_search(const Row& row);
   [[nodiscard]] bool any_is_on_plain() const;
   [[nodiscard]] bool has_lonely_stray() const;
   [[nodiscard]] bool any_is_on_continuum() const;
@@ -143,6 +144,7 @@ class Careful {
   bool is_searched_[most_strays] = {};  ///< a walk has come by
   bool full_ = false;                   ///< there was a start, but no room
   bool strays_ = false;                 ///< some start nearly reached the pose, but no steps led on
+  bool lacks_strays_ = false;           ///< valleys may be missing among the strays
   bool unsure_ = false;
 };
 

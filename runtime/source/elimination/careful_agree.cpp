@@ -110,8 +110,8 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
   search_valleys();
   // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
   // must have been three.
-  unsure_ = has_lonely_stray() || !all.agreed || all.all_loud || !all.is_clear() || !is_even() ||
-            (all.few && any_is_singular());
+  unsure_ = has_lonely_stray() || lacks_strays_ || !all.agreed || all.all_loud || !all.is_clear() ||
+            !is_even() || (all.few && any_is_singular());
 }
 
 }  // namespace qvgen::inverse::elimination

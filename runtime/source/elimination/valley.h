@@ -33,7 +33,7 @@ class ValleyWalk {
 
  private:
   static constexpr double longest = 0.1;     ///< rad, or a share of the size
-  static constexpr double nearest = 5e-3;    ///< likewise, from a solution
+  static constexpr double nearest = 1e-3;    ///< likewise, from a solution: two may be 1e-3 apart
   static constexpr double shortest = 0.012;  ///< likewise
   static constexpr double highest = 1e-2;    ///< miss, as a share of the size: no valley any more
   static constexpr double shallow = 0.003;   ///< what an idle joint adds to the others, as a share

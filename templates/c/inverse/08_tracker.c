@@ -19,6 +19,26 @@ static void remember(Known* known, const JointValues* values) {
 
 static const Known nothing_known = {0, {{{{0, 0}}}}};
 
+/// Brings values to the goals with what is idle held where the start has it. Where two singularities are next to
+/// each other steps of all joints move one joint to and fro that hardly does anything, in place of another that is
+/// as free. Returns whether the values reach the goals; keeps them if they are nearer.
+static bool polish_with_idle_held(const PointMatching* task, Patience until, const JointValues* start,
+                                  JointValues* values, Reached* at, Budget* budget) {
+  if (!(at->error < tolerance_held_miss * task->size_square)) return false;
+  const Dependent idle = idle_joints(task->joints, task->points, at);
+  if (idle.least == task->joints) return false;
+  Patience hasty = until;
+  hasty.idle_steps = 1;
+  JointValues held = *start;
+  Reached there;
+  const bool reaches = polish(task, hasty, &held, &there, budget, &idle.is);
+  if (there.error < at->error) {
+    *values = held;
+    *at = there;
+  }
+  return reaches;
+}
+
 /// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond the
 /// boundary of reach: to first order nothing leads on. To second order a step to either side along the idle joint
 /// tells, and from there steps lead to the solutions if there are any. Returns whether they do; one that is known
@@ -130,7 +150,9 @@ static bool lead_to_goal(Tracker* tracker, Patience until, const PointMatching* 
   if (reaches &&
       !(is_known(&tracker->known, task->joints, values) && !are_same(task->joints, &start, values)))
     return true;
-  if (!reaches) return leave_double_root(task, until, &tracker->known, values, reached, budget);
+  if (!reaches)
+    return polish_with_idle_held(task, until, &start, values, reached, budget) ||
+           leave_double_root(task, until, &tracker->known, values, reached, budget);
   JointValues beside = start;
   if (!may_step(budget)) return true;
   normalise(task, &beside);

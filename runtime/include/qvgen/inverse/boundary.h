@@ -82,6 +82,12 @@ struct Boundary {
     boundary.choose = true;
     return boundary;
   }
+  /// Pass `chosen` with a choice wherever a wrist's direction has lost half its digits.
+  static constexpr Boundary blurred(double allowed) {
+    Boundary boundary = chosen(allowed);
+    boundary.wide = true;
+    return boundary;
+  }
   /// Pass `chosen` for a choice that leaves the joints after it out of reach: they are stretched to where it
   /// would be, and Newton's steps turn the chosen joint until they reach.
   static constexpr Boundary stretched(double allowed) {

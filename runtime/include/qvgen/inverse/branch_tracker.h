@@ -29,6 +29,8 @@ class BranchTracker {
   }
   /// Begins or ends a pass in which branches that have led to a solution are followed again, to others.
   void follow_again(bool again) { again_ = again; }
+  /// Leaves out the steps with what is idle held: who calls has means of their own.
+  void never_hold_idle() { holds_idle_ = false; }
   [[nodiscard]] BranchState state(int label) const { return states_[static_cast<std::size_t>(label)]; }
   /// True if some branch is in this state.
   [[nodiscard]] bool any(BranchState state) const {
@@ -115,7 +117,9 @@ class BranchTracker {
     const bool reaches = polish(task, patience, values, reached, budget_);
     if (reaches && !(is_same(values) && is_apart(start, values))) return true;
     const auto is_known = [&](const Values& other) { return is_same(other); };
-    if (!reaches) return idling.leave_double_root(patience, is_known, values, reached);
+    if (!reaches)
+      return (holds_idle_ && idling.polish_with_idle_held(patience, start, values, reached)) ||
+             idling.leave_double_root(patience, is_known, values, reached);
     Values beside = start;
     if (!budget_.step()) return true;
     normalise(task, beside);
@@ -164,7 +168,7 @@ class BranchTracker {
   std::array<BranchState, capacity> states_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
-  bool again_ = false, closed_ = false;
+  bool again_ = false, closed_ = false, holds_idle_ = true;
   Budget budget_;
 };
 

@@ -23,6 +23,24 @@ class Idling {
     return inverse::are_joined(task_, a, at, b, budget_);
   }
 
+  /// Brings values to the goals with what is idle held where the start has it. Where two singularities are
+  /// next to each other steps of all joints move one joint to and fro that hardly does anything, in place of
+  /// another that is as free. Returns whether the values reach the goals; keeps them if they are nearer.
+  bool polish_with_idle_held(const Patience& patience, const Values& start, Values& values,
+                             Reached& at) const {
+    if (!(at.error < Scalar(tolerance::held_miss) * task_.size_square)) return false;
+    const auto idle = polishing::idle_joints(at);
+    if (idle.least == joints) return false;
+    Values held = start;
+    Reached there;
+    const bool reaches = polish(task_, {patience.allowed, 1, patience.gain}, held, there, budget_, idle.is);
+    if (there.error < at.error) {
+      values = held;
+      at = there;
+    }
+    return reaches;
+  }
+
   /// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond
   /// the boundary of reach: to first order nothing leads on. To second order a step to either side along the
   /// idle joint tells, and from there steps lead to the solutions if there are any. Returns whether they do.

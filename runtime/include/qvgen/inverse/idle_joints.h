@@ -38,12 +38,16 @@ bool goes_on(const PointMatching<Scalar, joints, points>& task, const JointValue
   if (idle.least == joints) return false;
   const Scalar little = length_of_arc(task, idle.least, Scalar(tolerance::way_along));
   const Scalar most = Scalar(tolerance::off_to_first_order) * allowed;
-  if (little * little * idle.square > most * most * task.size_square) return false;
-  for (int side = 1; side >= -1; side -= 2) {
+  const Scalar off_square = little * little * idle.square;
+  if (off_square > most * most * task.size_square) return false;
+  const bool is_level = off_square <= allowed * allowed * task.size_square;
+  for (int k = 0; k < (is_level ? 3 : 2); ++k) {
+    const Scalar share(k < 2 ? 1 : tolerance::sharp_bend);
+    const Scalar way = share * little;
     JointValues<Scalar, joints> moved_on = values;
     Reached<Scalar, joints, points> there;
-    move_along(task, at, idle.least, side > 0 ? little : Scalar(-little), moved_on);
-    if (polish(task, quick(allowed), moved_on, there, budget, idle.is)) return true;
+    move_along(task, at, idle.least, k == 1 ? Scalar(-way) : way, moved_on);
+    if (polish(task, quick(share * allowed), moved_on, there, budget, idle.is)) return true;
   }
   return false;
 }
@@ -78,7 +82,10 @@ template <typename Scalar, std::size_t joints, std::size_t points>
 bool is_continuum(const PointMatching<Scalar, joints, points>& task,
                   const JointValues<Scalar, joints>& values, const Reached<Scalar, joints, points>& at,
                   Budget& budget) {
-  const Scalar allowed = Scalar(tolerance::noise) * epsilon<Scalar>();
+  using std::sqrt;
+  const Scalar own = sqrt(Scalar(at.error / task.size_square));
+  const Scalar allowed = larger(Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()),
+                                smaller(Scalar(Scalar(2) * own), Scalar(tolerance::beyond_reach)));
   return goes_on(task, values, at, allowed, budget) || leads_on_beside(task, values, at, allowed, budget);
 }
 

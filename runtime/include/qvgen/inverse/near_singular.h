@@ -21,6 +21,9 @@
 ///             something was nearly free    if there is no solution,      joints behind the choice
 ///             and a solution is missing,   stretched towards it          reach a part only, maybe in
 ///             or a branch on a continuum                                 several pieces
+///     blurred there is no solution         all, with a choice where a    two singularities at once: what
+///                                          wrist has lost half the       a wrist's rounding decides is at
+///                                          digits of its direction       the end of reach
 ///
 /// The first three cost one pass each; `turned` takes what they leave of the budget, 8 passes in all, or 24
 /// for arms that can follow a free joint for few of its angles (budget.h). `passes_of_closed_forms` is the
@@ -28,7 +31,7 @@
 ///
 /// Tests fail without each: Inverse.BranchesThatMeet without `ends`,
 /// NearSingular.ChoicesOutOfReachAreFollowedNextToTheSeed without `turned`,
-/// NearSingular.EachPassHasItsBoundary without any.
+/// TwoSingularities.OfAUr5HideNothing without `blurred`, NearSingular.EachPassHasItsBoundary without any.
 ///
 /// The state of a branch (`BranchState`):
 ///
@@ -95,6 +98,8 @@ inline constexpr PlannedPass<Search> passes_of_closed_forms[] = {
        search.pass(stretched ? Boundary::stretched(search.goal.tolerance)
                              : Boundary::chosen(search.goal.tolerance));
      }},
+    {"blurred", 1, [](const Search& search, int) { return search.passes_left() > 0 && search.found.empty(); },
+     [](Search& search, int) { search.pass(Boundary::blurred(search.goal.tolerance)); }},
 };
 
 /// Solves near singular poses, see above. Whatever is chosen on the way, the goal's preference stays the

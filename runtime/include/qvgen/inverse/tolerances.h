@@ -153,9 +153,13 @@ inline constexpr double way_between = 0.38196601125010515;
 /// How far along an idle joint a continuum is looked for: far beyond half the digits, rad or share of the
 /// size.
 inline constexpr double way_along = 1e-2;
+/// A continuum may bend sharply: a small loop is followed along this share of the way.
+inline constexpr double sharp_bend = 0.1;
 /// A row leaves its continuum by half the digits at most, and the pose by as much a radian along it: five
 /// times that.
 inline constexpr double off_continuum = digits(1e-6);
+/// Steps that end no farther off, squared, may have been led astray by a joint that is nearly idle.
+inline constexpr double held_miss = digits(1e-14);
 /// Ways that are off by a hundred times what is allowed to first order are not followed: they may be curved.
 inline constexpr double off_to_first_order = 100;
 /// The squared miss a quick step leaves: next to a continuum steps converge at once.
