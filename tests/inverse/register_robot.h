@@ -59,12 +59,12 @@ template <class Arm>
 bool register_inverse() {
   using Of = Calls<Arm>;
   InverseFunctions functions;
-  functions.solve = [](const Pose<double>& pose, double given, double tolerance,
-                       const reference::Values& values) {
-    return Of::solve(given, pose, geometry_of<Arm>(values), tolerance);
-  };
-  functions.solve_from = [](const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
-                            const reference::Values& values) {
+  functions.solve =
+      +[](const Pose<double>& pose, double given, double tolerance, const reference::Values& values) {
+        return Of::solve(given, pose, geometry_of<Arm>(values), tolerance);
+      };
+  functions.solve_from = +[](const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                             const reference::Values& values) {
     return Of::solve(given, pose, typename Arm::Joints(seed), geometry_of<Arm>(values));
   };
   constexpr bool takes_poses = Arm::info.task == Task::pose || Arm::info.task == Task::position ||

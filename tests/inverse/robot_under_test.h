@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -37,11 +38,12 @@ Found copy(const SolutionSet& set) {
 
 /// The compiled functions of one robot, whatever its types; the values are those of geometric constants by
 /// name, the defaults for others. Pointers: what std::function makes of each lambda takes longest to compile.
+/// The first two may hold an arm that is known at run time alone; others give them pointers, too.
 struct InverseFunctions {
   using Vector = Eigen::VectorXd;
   using Values = reference::Values;
-  Found (*solve)(const Pose<double>&, double given, double tolerance, const Values&) = nullptr;
-  Found (*solve_from)(const Pose<double>&, double given, const Vector& seed, const Values&) = nullptr;
+  std::function<Found(const Pose<double>&, double given, double tolerance, const Values&)> solve;
+  std::function<Found(const Pose<double>&, double given, const Vector& seed, const Values&)> solve_from;
   Found (*solve_matrix)(const Eigen::Matrix3d&, const Eigen::Vector3d&, double given) = nullptr;
   Found (*solve_within)(const Pose<double>&, double given, const Vector& lower,
                         const Vector& upper) = nullptr;

@@ -85,8 +85,8 @@ int call(const Pose& pose, [[maybe_unused]] double given, const double* seed, do
 }
 qvgen::test::InverseFunctions functions() {
   qvgen::test::InverseFunctions all;
-  all.solve = [](const Pose& pose, double given, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, nullptr, tolerance, set); }); };
-  all.solve_from = [](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
+  all.solve = +[](const Pose& pose, double given, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, nullptr, tolerance, set); }); };
+  all.solve_from = +[](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
 @NEAR@@PITCH@@INCLINATION@  return all;
 }
 const bool registered = qvgen::test::add_inverse_in_c("@NAME@", functions());
