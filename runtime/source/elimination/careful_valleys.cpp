@@ -15,7 +15,7 @@ constexpr double same_place = 0.12 * 0.12;
 constexpr double farthest = 25;
 /// Part of a closed walk that is left to be walked, on the other side of its beginning.
 constexpr double beside_start = 0.2;
-/// Solutions that nearly meet are no farther apart.
+/// Largest distance between two solutions that nearly meet.
 constexpr double beside_row = 0.05;
 
 /// With more rows than these, away from continua, all strays that were remembered have sufficed.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What C++ goes through of solutions within limits, compiled for a few numbers of joints: for each robot it
-// takes longer than all that is compiled of its C.
+// Representatives of solutions within limits by C++, compiled for three numbers of joints. Compiled for each
+// robot they would take longer than all of its C.
 #include <algorithm>
 #include <array>
 
