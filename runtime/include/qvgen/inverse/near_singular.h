@@ -21,8 +21,8 @@
 ///             something was nearly free    if there is no solution,      joints behind the choice
 ///             and a solution is missing,   stretched towards it          reach a part only, maybe in
 ///             or a branch on a continuum                                 several pieces
-///     blurred there is no solution         all, with a choice where a    two singularities at once: what
-///                                          wrist has lost half the       a wrist's rounding decides is at
+///     blurred there is no solution, and    all, with a choice where a    two singularities at once: what
+///             half the steps are left      wrist has lost half the       a wrist's rounding decides is at
 ///                                          digits of its direction       the end of reach
 ///
 /// The first three cost one pass each; `turned` takes what they leave of the budget, 8 passes in all, or 24
@@ -65,6 +65,10 @@ struct NearSingularSearch {
   }
 
   [[nodiscard]] int passes_left() const { return tracker.budget().passes - tracker.budget().spent.passes; }
+  /// True if the passes so far have left what they took.
+  [[nodiscard]] bool may_begin_anew() const {
+    return passes_left() > 0 && 2 * tracker.budget().spent.steps <= tracker.budget().steps;
+  }
   [[nodiscard]] bool misses() const {
     return found.empty() || (tracker.budget().persists && tracker.any(BranchState::missed));
   }
@@ -98,7 +102,7 @@ inline constexpr PlannedPass<Search> passes_of_closed_forms[] = {
        search.pass(stretched ? Boundary::stretched(search.goal.tolerance)
                              : Boundary::chosen(search.goal.tolerance));
      }},
-    {"blurred", 1, [](const Search& search, int) { return search.passes_left() > 0 && search.found.empty(); },
+    {"blurred", 1, [](const Search& search, int) { return search.may_begin_anew() && search.found.empty(); },
      [](Search& search, int) { search.pass(Boundary::blurred(search.goal.tolerance)); }},
 };
 
