@@ -113,7 +113,7 @@ double positive_or(const model::Expression& expression, const model::Bindings& v
   }
 }
 
-/// A joint's drive. `is_behind_motors` is true if motors move the joint that are no joints themselves.
+/// A joint's drive. `is_behind_motors`: a motor that is no joint moves this joint.
 struct PlacedDrive {
   model::Drive drive;
   bool is_behind_motors = false;

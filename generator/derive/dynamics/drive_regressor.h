@@ -21,7 +21,7 @@ struct DriveRegressor {
 };
 
 /// Appends to the columns of the links' base parameters those of rotor inertia, viscous and Coulomb friction
-/// and offset of each drive. Drives of joints come first. Drives of motors that are no joints follow
+/// and offset of each drive. Drives of joints come first, then those of motors that are no joints
 /// ("Ia_ml"). A column that depends on others by known factors is left out, and its parameter is added to
 /// theirs (column_relations.h); the certificate of the function confirms it. A joint that several motors move
 /// has no column of Coulomb friction. `reversed`: joints whose axes have another sense in the description,

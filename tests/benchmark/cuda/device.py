@@ -32,11 +32,13 @@ class Array:
         self.card.call("cuMemsetD8_v2", self.place, ctypes.c_ubyte(byte), ctypes.c_size_t(self.size))
 
     def put(self, host, at=0):
-        self.card.call("cuMemcpyHtoD_v2", ctypes.c_uint64(self.place.value + at), ctypes.c_void_p(host.ctypes.data), ctypes.c_size_t(host.nbytes))
+        self.card.call("cuMemcpyHtoD_v2", ctypes.c_uint64(self.place.value + at), ctypes.c_void_p(host.ctypes.data),
+                       ctypes.c_size_t(host.nbytes))
 
     def get(self, shape, kind, at=0):
         host = np.empty(shape, kind)
-        self.card.call("cuMemcpyDtoH_v2", ctypes.c_void_p(host.ctypes.data), ctypes.c_uint64(self.place.value + at), ctypes.c_size_t(host.nbytes))
+        self.card.call("cuMemcpyDtoH_v2", ctypes.c_void_p(host.ctypes.data), ctypes.c_uint64(self.place.value + at),
+                       ctypes.c_size_t(host.nbytes))
         return host
 
 

@@ -116,14 +116,14 @@ class Robot:
         library = self.c / f"{self.name}_rows.so"
         subprocess.run([os.environ.get("CC", "cc"), "-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-shared",
                         f"{self.c}/{self.name}_rows.c", *sources, "-o", library, "-lm"], check=True)
-        self.library = ctypes.CDLL(str(library.resolve()))
+        self.compiled = ctypes.CDLL(str(library.resolve()))
         if self.has_inverse:
-            self.capacity = self.library[f"{self.name}_capacity"]()
+            self.capacity = self.compiled[f"{self.name}_capacity"]()
             self.dof = int(re.search(rf"enum {{ {self.name}_dof = (\d+) }}", self.kernels)[1])
         return self
 
     def size(self, function):
-        return getattr(self.library, f"{function.name}_size_of_result")()
+        return getattr(self.compiled, f"{function.name}_size_of_result")()
 
     def constants(self, structure):
         """Bytes of the structure's default values; none if all are numbers within the code."""
@@ -137,7 +137,7 @@ class Robot:
         """Address of the structure's default values; None if all are numbers within the code."""
         if re.search(rf"typedef struct {structure} {{\s*char none;", self.kernels):
             return None
-        return ctypes.addressof(ctypes.c_char.in_dll(self.library, structure.replace(f"{self.name}_", f"{self.name}_default_")))
+        return ctypes.addressof(ctypes.c_char.in_dll(self.compiled, structure.replace(f"{self.name}_", f"{self.name}_default_")))
 
     def number(self, value):
         return (ctypes.c_double if self.real == "double" else ctypes.c_float)(value)
@@ -154,7 +154,7 @@ class Robot:
         result = np.full((self.size(function), n), np.nan, self.kind)
         arguments = [ctypes.c_void_p(each.ctypes.data) if isinstance(each, np.ndarray) else
                      ctypes.c_void_p(self.place_of_constants(each)) if isinstance(each, str) else self.number(each) for each in given]
-        rows = getattr(self.library, f"{function.name}_rows")
+        rows = getattr(self.compiled, f"{function.name}_rows")
         self.in_threads(lambda begin, end: rows(ctypes.c_size_t(begin), ctypes.c_size_t(end), ctypes.c_size_t(n), *arguments,
                                                 ctypes.c_void_p(result.ctypes.data)), n)
         return result
@@ -165,7 +165,8 @@ class Robot:
         results = [np.full((self.capacity * self.dof, n), np.nan, self.kind), np.zeros((self.capacity, n), np.int32),
                    np.zeros(n, np.int32), np.zeros(n, np.int32)]
         pointers = [ctypes.c_void_p(each.ctypes.data) for each in (orientation, position, *results)]
-        rows = self.library[f"{self.name}_inverse_rows"]
+        rows = self.compiled[f"{self.name}_inverse_rows"]
+        geometry = ctypes.c_void_p(self.place_of_constants(f"{self.name}_geometry"))
         self.in_threads(lambda begin, end: rows(ctypes.c_size_t(begin), ctypes.c_size_t(end), ctypes.c_size_t(n), *pointers[:2],
-                                                ctypes.c_void_p(self.place_of_constants(f"{self.name}_geometry")), self.number(tolerance), *pointers[2:]), n)
+                                                geometry, self.number(tolerance), *pointers[2:]), n)
         return results

@@ -224,7 +224,8 @@ def ceilings(card, folder):
     copy = card.seconds(lambda: card.call("cuMemcpyDtoD_v2", b.place, a.place, size))
     source = pathlib.Path(folder) / "ceilings.cu"
     source.write_text(CEILINGS)
-    subprocess.run([nvcc(), f"-arch={card.architecture}", "-cubin", "-O3", "--fmad=false", source, "-o", source.with_suffix(".cubin")], check=True)
+    subprocess.run([nvcc(), f"-arch={card.architecture}", "-cubin", "-O3", "--fmad=false", source,
+                    "-o", source.with_suffix(".cubin")], check=True)
     module, threads, steps = card.module(source.with_suffix(".cubin")), 1 << 19, 512
     spin = {real: card.seconds(lambda kernel=module.kernel(f"spin_{real}"): kernel(threads, [steps, a])) for real in kernels.REALS}
     return 2 * size / copy, {real: threads * steps * 16 / spin[real] for real in kernels.REALS}
@@ -247,7 +248,8 @@ class Measured:
     def __init__(self, name, n, seconds, moved, counted, limits, resources):
         self.name, self.rate = name, n / seconds
         self.moved = moved * n / seconds / limits[0]
-        self.counted = max((counted[kind] * n / seconds / limits[1][real] for kind, real in zip("DF", kernels.REALS)), default=0) if counted else 0
+        shares = (counted[kind] * n / seconds / limits[1][real] for kind, real in zip("DF", kernels.REALS) if counted)
+        self.counted = max(shares, default=0)
         self.resources = resources
 
     def line(self, transfer):

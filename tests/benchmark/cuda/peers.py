@@ -105,7 +105,8 @@ def main(folder, rows=1 << 21):
         random = np.random.default_rng(1)
         given = [random.uniform(-3, 3, (6, n)).astype(robot.kind) for _ in range(3)]
         module = card.module(measure.compiled(robot, card)[0])
-        kernel, arrays, result = module.kernel("puma560_inverse_dynamics_batch"), [card.array(each) for each in given], card.empty(given[0].nbytes)
+        kernel, result = module.kernel("puma560_inverse_dynamics_batch"), card.empty(given[0].nbytes)
+        arrays = [card.array(each) for each in given]
         own = card.seconds(lambda: kernel(n, [n, *arrays, robot.kind(9.81), result]))
         jitted = jax.jit(inverse_dynamics, static_argnums=3)
         theirs = seconds_of(jitted, *(jnp.asarray(each) for each in given), 9.81)
