@@ -2,7 +2,7 @@
 // Programs of one arm differ in their main function, those of several arms share the runtime: objects that
 // are made of the same text by the same command are compiled once. The text is found as a compiler finds it,
 // but every #include counts, whatever #if is around it: a header too many costs a compilation, none can be
-// missed.
+// missed. A compiler of another version is another one.
 #include "toolchain/kept_objects.h"
 
 #include <fstream>
@@ -55,6 +55,17 @@ class Reader {
   std::string text_;
 };
 
+/// Size and time of a program, which differ where the machine has another version of it; empty for words that
+/// are no programs.
+std::string version_of(const std::string& word) {
+  const fs::path file = program_path(word);
+  std::error_code none;
+  const auto size = fs::file_size(file, none);
+  if (none) return "";
+  const auto time = fs::last_write_time(file, none).time_since_epoch().count();
+  return std::to_string(size) + " " + std::to_string(time) + "\n";
+}
+
 }  // namespace
 
 fs::path kept_object(const Program& program, const Source& source) {
@@ -66,6 +77,7 @@ fs::path kept_object(const Program& program, const Source& source) {
   std::string made_of;
   for (const auto* words : {&program.compiler, &program.options, &source.options})
     for (const std::string& word : *words) made_of += word + "\n";
+  for (const std::string& word : program.compiler) made_of += version_of(word);
   return program.kept / (std::to_string(exact::hash(made_of + reader.text())) + ".o");
 }
 

@@ -127,16 +127,19 @@ Outcome run(const std::vector<std::string>& words, const std::string& input,
   return {end.empty(), end};
 }
 
-bool is_program(const std::string& name) {
-  if (name.find('/') != std::string::npos) return ::access(name.c_str(), X_OK) == 0;
+std::filesystem::path program_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) return ::access(name.c_str(), X_OK) == 0 ? name : "";
   const char* path = std::getenv("PATH");
   std::string folders = path == nullptr ? "" : path;
   while (!folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
-    if (::access((folders.substr(0, end) + "/" + name).c_str(), X_OK) == 0) return true;
+    const std::string file = folders.substr(0, end) + "/" + name;
+    if (::access(file.c_str(), X_OK) == 0) return file;
     folders.erase(0, end + 1);
   }
-  return false;
+  return {};
 }
+
+bool is_program(const std::string& name) { return !program_path(name).empty(); }
 
 }  // namespace qvgen::toolchain

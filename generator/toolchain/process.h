@@ -24,6 +24,8 @@ Outcome run(const std::vector<std::string>& words, const std::filesystem::path& 
 Outcome run(const std::vector<std::string>& words, const std::string& input,
             const std::function<void(std::string_view)>& take);
 
+/// Returns where the machine has a program of that name or path; empty if it has none.
+std::filesystem::path program_path(const std::string& name);
 /// True if the machine has a program of that name or path.
 bool is_program(const std::string& name);
 

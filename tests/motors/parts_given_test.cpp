@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Several given joints beside a part of a pose, in C++ and C: rows keep the given values and reach that part,
-// the joints that it was made from are there. The reference has equations of its own.
+// Several given joints beside a part of a pose, some in front of the others, in C++ and C: rows keep the
+// given values and reach that part, the joints that it was made from are there. given_anywhere_test.cpp has
+// random arms.
 #include <map>
 #include <random>
 
 #include <gtest/gtest.h>
-#include <qvgen/robots/held_level.h>
-#include <qvgen/robots/held_pitch.h>
-#include <qvgen/robots/held_place.h>
-#include <qvgen/robots/held_torch.h>
 #include <qvgen/robots/rail_pitch.h>
 #include <qvgen/robots/torso_torch.h>
 #include <qvgen/robots/turned_level.h>
-#include <qvgen_held_level_inverse.h>
-#include <qvgen_held_pitch_inverse.h>
-#include <qvgen_held_place_inverse.h>
-#include <qvgen_held_torch_inverse.h>
 #include <qvgen_rail_pitch_inverse.h>
 #include <qvgen_torso_torch_inverse.h>
 #include <qvgen_turned_level_inverse.h>
 
+#include "asked_part.h"
 #include "in_c.h"
 
 namespace qvgen::test {
@@ -27,78 +21,33 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// An arm by the reference's chain, which has a reader of its own.
-class Reference {
- public:
-  explicit Reference(const std::string& name)
-      : chain_(reference::load(std::string(QVGEN_MOTOR_ARMS) + "/" + name + ".toml")) {}
-  [[nodiscard]] Eigen::Isometry3d tool(const VectorXd& q) const {
-    return reference::forward_kinematics(chain_, q);
-  }
-  [[nodiscard]] Vector3d axis(const VectorXd& q, std::size_t joint) const {
-    return reference::joint_places(chain_, q)[joint].axis;
-  }
-
- private:
-  reference::Chain chain_;
-};
-
-/// The part of a pose that is asked for: a position, with a pitch, or with a direction of the tool, or of
-/// what is up in the frame of the tool. A position alone has neither.
-struct Part {
-  Vector3d position;
-  Vector3d direction = Vector3d::Zero();
-  double pitch = 0;
-};
-
-/// Kinds of parts: what the reference says of joints, `base` being the first that moves, and the arguments of
-/// functions in C++ and C.
+/// Kinds of parts: the arguments of functions in C++ and C.
 struct Pitch {
-  static Part of(const Reference& arm, const VectorXd& q, std::size_t base) {
-    const Vector3d up = arm.axis(q, base), across = arm.axis(q, base + 1),
-                   along = arm.tool(q).linear().col(0);
-    return {arm.tool(q).translation(), Vector3d::Zero(),
-            std::atan2(across.dot(up.cross(along)), up.dot(along))};
-  }
   static PositionAndPitch<double> in_cxx(const Part& part) { return {part.position, part.pitch}; }
   static double in_c(const Part& part) { return part.pitch; }
 };
 struct Level {
-  static Part of(const Reference& arm, const VectorXd& q, std::size_t base) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().transpose() * arm.axis(q, base)};
-  }
   static PositionAndInclination<double> in_cxx(const Part& part) { return {part.position, part.direction}; }
   static const double* in_c(const Part& part) { return part.direction.data(); }
 };
 struct Torch {
-  static Part of(const Reference& arm, const VectorXd& q, std::size_t /*base*/) {
-    return {arm.tool(q).translation(), arm.tool(q).linear().col(0)};
-  }
   static PositionAndDirection<double> in_cxx(const Part& part) { return {part.position, part.direction}; }
   static const double* in_c(const Part& part) { return part.direction.data(); }
 };
-struct Place {
-  static Part of(const Reference& arm, const VectorXd& q, std::size_t /*base*/) {
-    return {arm.tool(q).translation()};
-  }
-  static const Vector3d& in_cxx(const Part& part) { return part.position; }
-};
 
-/// An arm: what the reference and its compiled functions say.
+/// An arm: what its compiled functions say.
 struct PartArm {
   int dof;
   std::vector<int> given;
   InverseInfo info;
-  std::size_t base;
-  Part (*part)(const Reference& arm, const VectorXd& q, std::size_t base);
   std::function<Rows(const VectorXd&at, const Part&part, const Asked&asked)> solve, near, solve_in_c;
   std::function<Rows(const VectorXd& at, const Pose<double>& pose, const VectorXd& seed)> solve_pose;
 };
 
 template <class Kind, int dof, class Set, class Solve, class Near, class SolveInC>
-PartArm arm_of(const InverseInfo& info, std::vector<int> given, std::size_t base, const Solve& solve,
-               const Near& near, const SolveInC& solve_in_c) {
-  PartArm arm{dof, std::move(given), info, base, Kind::of, {}, {}, {}, {}};
+PartArm arm_of(const InverseInfo& info, std::vector<int> given, const Solve& solve, const Near& near,
+               const SolveInC& solve_in_c) {
+  PartArm arm{dof, std::move(given), info, {}, {}, {}, {}};
   arm.solve = [solve](const VectorXd& at, const Part& part, const Asked& asked) {
     const auto& target = Kind::in_cxx(part);
     if (asked.seed == nullptr) return rows_of(solve(at, target));
@@ -110,10 +59,7 @@ PartArm arm_of(const InverseInfo& info, std::vector<int> given, std::size_t base
   };
   arm.solve_in_c = [solve_in_c](const VectorXd& at, const Part& part, const Asked& asked) {
     Set set;
-    if constexpr (requires { Kind::in_c(part); })
-      solve_in_c(at, asked.seed->data(), &set, part.position.data(), Kind::in_c(part));
-    else
-      solve_in_c(at, asked.seed->data(), &set, part.position.data());
+    solve_in_c(at, asked.seed->data(), &set, part.position.data(), Kind::in_c(part));
     return rows_of(in_cxx(set));
   };
   arm.solve_pose = [solve](const VectorXd& at, const Pose<double>& pose, const VectorXd& seed) {
@@ -123,9 +69,9 @@ PartArm arm_of(const InverseInfo& info, std::vector<int> given, std::size_t base
 }
 
 // The indices of the given joints of an arm, and what its functions are called after.
-#define QVGEN_TEST_PART_ARM(ARM, KIND, SUFFIX, SUFFIX_IN_C, GEOMETRY, BASE, GIVEN, ...)        \
+#define QVGEN_TEST_PART_ARM(ARM, KIND, SUFFIX, SUFFIX_IN_C, GIVEN, ...)                        \
   arm_of<KIND, robots::ARM::dof, ARM##_solutions>(                                             \
-      robots::ARM::inverse_info##SUFFIX, GIVEN, BASE,                                          \
+      robots::ARM::inverse_info##SUFFIX, GIVEN,                                                \
       [](const VectorXd& at, const auto& target, const auto&... more) {                        \
         return robots::ARM::inverse_kinematics##SUFFIX(target, __VA_ARGS__, more...);          \
       },                                                                                       \
@@ -133,7 +79,7 @@ PartArm arm_of(const InverseInfo& info, std::vector<int> given, std::size_t base
         return robots::ARM::inverse_kinematics_near##SUFFIX(target, __VA_ARGS__, more...);     \
       },                                                                                       \
       [](const VectorXd& at, const double* seed, ARM##_solutions* set, const auto... target) { \
-        ARM##_inverse_kinematics##SUFFIX##SUFFIX_IN_C(target..., __VA_ARGS__, seed, GEOMETRY,  \
+        ARM##_inverse_kinematics##SUFFIX##SUFFIX_IN_C(target..., __VA_ARGS__, seed, nullptr,   \
                                                       ARM##_default_tolerance, set);           \
       })
 
@@ -141,22 +87,11 @@ std::map<std::string, PartArm> make_part_arms() {
   using List = std::vector<int>;
   std::map<std::string, PartArm> arms;
   arms["rail_pitch"] = QVGEN_TEST_PART_ARM(rail_pitch, Pitch, _given_rail_roll, _of_position_and_pitch,
-                                           nullptr, 1, (List{0, 5}), at[0], at[5]);
-  arms["turned_level"] =
-      QVGEN_TEST_PART_ARM(turned_level, Level, _given_rail_table, _of_position_and_inclination, nullptr, 2,
-                          (List{0, 1}), at[0], at[1]);
+                                           (List{0, 5}), at[0], at[5]);
+  arms["turned_level"] = QVGEN_TEST_PART_ARM(turned_level, Level, _given_rail_table,
+                                             _of_position_and_inclination, (List{0, 1}), at[0], at[1]);
   arms["torso_torch"] = QVGEN_TEST_PART_ARM(torso_torch, Torch, _given_torso_q6, _of_position_and_direction,
-                                            nullptr, 0, (List{0, 6}), at[0], at[6]);
-  arms["held_pitch"] = QVGEN_TEST_PART_ARM(held_pitch, Pitch, _given_boom_roll, _of_position_and_pitch,
-                                           nullptr, 0, (List{2, 5}), at[2], at[5]);
-  arms["held_level"] =
-      QVGEN_TEST_PART_ARM(held_level, Level, _given_boom_knuckle, _of_position_and_inclination,
-                          &held_level_default_geometry, 0, (List{2, 4}), at[2], at[4]);
-  arms["held_torch"] =
-      QVGEN_TEST_PART_ARM(held_torch, Torch, _given_table_boom_second, _of_position_and_direction, nullptr, 0,
-                          (List{0, 3, 5}), at[0], at[3], at[5]);
-  arms["held_place"] = QVGEN_TEST_PART_ARM(held_place, Place, _given_boom_roll, _of_position, nullptr, 0,
-                                           (List{2, 4}), at[2], at[4]);
+                                            (List{0, 6}), at[0], at[6]);
   return arms;
 }
 
@@ -168,7 +103,8 @@ const PartArm& part_arm(const std::string& name) {
 class PartsGiven : public testing::TestWithParam<const char*> {
  protected:
   const PartArm& arm_ = part_arm(GetParam());
-  Reference reference_{GetParam()};
+  AskedArm reference_{std::string(QVGEN_MOTOR_ARMS) + "/" + GetParam() + ".toml", arm_.info.task,
+                      Vector3d(arm_.info.tool_axis), arm_.given};
 
   VectorXd joints() {
     std::uniform_real_distribution<double> uniform(-3, 3);
@@ -176,27 +112,17 @@ class PartsGiven : public testing::TestWithParam<const char*> {
     for (double& joint : q) joint = uniform(random_);
     return q;
   }
-  [[nodiscard]] Part part_of(const VectorXd& q) const { return arm_.part(reference_, q, arm_.base); }
-  [[nodiscard]] static double way(const VectorXd& a, const VectorXd& b) {
-    double most = 0;
-    for (Eigen::Index i = 0; i < a.size(); ++i)
-      if (const double off = std::abs(std::remainder(a[i] - b[i], 2 * M_PI)); !(off <= most)) most = off;
-    return most;
-  }
-  void expect_reached(const VectorXd& row, const VectorXd& q, const Part& wanted) {
-    const Part found = part_of(row);
-    EXPECT_LT((found.position - wanted.position).norm(), 1e-9);
-    EXPECT_LT((found.direction - wanted.direction).norm(), 1e-9);
-    EXPECT_LT(std::abs(std::remainder(found.pitch - wanted.pitch, 2 * M_PI)), 1e-9);
+  [[nodiscard]] Part part_of(const VectorXd& q) const { return reference_.part(q); }
+  [[nodiscard]] double way(const VectorXd& a, const VectorXd& b) const { return reference_.way(a, b); }
+  void expect_reached(const VectorXd& row, const VectorXd& q) {
+    EXPECT_LT(reference_.gap(row, q), 1e-9);
     for (const int i : arm_.given) EXPECT_EQ(row[i], q[i]);
   }
 
  private:
   std::mt19937 random_{11};
 };
-INSTANTIATE_TEST_SUITE_P(Of, PartsGiven,
-                         testing::Values("rail_pitch", "turned_level", "torso_torch", "held_pitch",
-                                         "held_level", "held_torch", "held_place"),
+INSTANTIATE_TEST_SUITE_P(Of, PartsGiven, testing::Values("rail_pitch", "turned_level", "torso_torch"),
                          name_of);
 
 TEST_P(PartsGiven, AreToldByTheInfo) {
@@ -212,7 +138,7 @@ TEST_P(PartsGiven, RowsReachThePartThatIsAskedFor) {
     ASSERT_EQ(found.status, Status::solved);
     bool is_there = false;
     for (const Row& row : found) {
-      expect_reached(row.q, q, part);
+      expect_reached(row.q, q);
       is_there = is_there || way(row.q, q) < 1e-6;
     }
     EXPECT_TRUE(is_there) << q.transpose();

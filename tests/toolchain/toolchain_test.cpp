@@ -89,13 +89,19 @@ TEST(Build, CompilesEachSourceInItsOwnWayAndLinks) {
 }
 
 /// Programs by a compiler that counts its calls, one of which links.
-TEST(Build, CompilesKeptObjectsOnlyWhereTheirTextOrTheirCommandChanges) {
+TEST(Build, CompilesKeptObjectsOnlyWhereTheirTextCommandOrCompilerChanges) {
   const Workshop workshop;
   workshop.write("include/deep.h", "#define VALUE 42\n");
   workshop.write("include/value.h", " # include <deep.h>\nint value();\n");
   workshop.write("value.cpp", "#include \"value.h\"\nint value() { return VALUE; }\n");
   workshop.write("main.cpp", "#include <value.h>\nint main() { return value() - 42 - OTHER; }\n");
-  std::vector<std::string> compiler{"sh", "-c", "echo >>calls; exec \"$@\"", "sh"};
+  const fs::path counter = workshop.folder() / "counter";
+  const auto write_counter = [&](const std::string& version) {
+    workshop.write("counter", "#!/bin/sh\n# " + version + "\necho >>calls\nexec \"$@\"\n");
+    fs::permissions(counter, fs::perms::owner_all);
+  };
+  write_counter("1");
+  std::vector<std::string> compiler{counter.string()};
   for (const std::string& word : cxx_compiler()) compiler.push_back(word);
   Program program{compiler, {"-Iinclude", "-DOTHER=0"}, {{"main.cpp"}, {"value.cpp"}}, {}, workshop.folder()};
   program.kept = workshop.folder() / "kept";
@@ -119,6 +125,9 @@ TEST(Build, CompilesKeptObjectsOnlyWhereTheirTextOrTheirCommandChanges) {
   program.options.back() = "-DOTHER=1";
   EXPECT_EQ(calls_of(false), 3U);
   EXPECT_EQ(entries_in(program.kept), 8U);
+  write_counter("1.0.1");
+  EXPECT_EQ(calls_of(false), 3U);
+  EXPECT_EQ(entries_in(program.kept), 10U);
 }
 
 TEST(Build, SaysWhatTheCompilerSaysAndLeavesNothing) {

@@ -111,15 +111,7 @@ class RandomWriter {
   std::string directed(const std::string& keys) {
     const bool meet = below(2) == 0;
     const Axis common = axis();
-    std::string joints;
-    for (int i = 0; i < 6; ++i) {
-      const bool three = i >= place_ && i < place_ + 3;
-      if (meet)
-        joints += three ? wrist_joint(i) : arm_joint(i);
-      else
-        joints += three ? parallel_joint(i, common) : turning_joint(i, common);
-    }
-    return description("random arm with a direction", joints, keys);
+    return description("random arm with a direction", three_among(6, meet, common), keys);
   }
 
   /// Six joints, five, or seven of which one is given; no two axes meet or are parallel but by chance.
@@ -131,7 +123,20 @@ class RandomWriter {
                        count == 7 ? "given = \"q4\"\n" : "");
   }
 
- private:
+ protected:
+  /// Joints of which three have axes that meet or are parallel.
+  std::string three_among(int count, bool meet, const Axis& common) {
+    std::string joints;
+    for (int i = 0; i < count; ++i) {
+      const bool three = i >= place_ && i < place_ + 3;
+      if (meet)
+        joints += three ? wrist_joint(i) : arm_joint(i);
+      else
+        joints += three ? parallel_joint(i, common) : turning_joint(i, common);
+    }
+    return joints;
+  }
+
   /// Joints of which two may slide; no two axes meet or are parallel but by chance.
   std::string skew_joints(int count, int slide, int other) {
     std::string joints;
@@ -314,7 +319,7 @@ class RandomWriter {
 
   std::string name_;
   std::mt19937 random_;
-  int place_;
+  int place_;  ///< of the first of the three joints whose axes meet or are parallel
   int symbols_ = 0;
   Axis before_{};
 };

@@ -37,6 +37,8 @@ namespace inverse {
 /// as types (`Constant`) make loops over values straight code, with the zeros of the motions gone.
 template <class Map>
 class WithinMotors {
+  template <class, class>
+  friend class LanesWithinMotors;
   template <int level>
   using Constant = std::integral_constant<int, level>;
 
@@ -151,6 +153,8 @@ class WithinMotors {
         lower <= upper && lower < tolerance::farthest_joint && upper > -tolerance::farthest_joint;
     lower_[place] = is_range ? lower : tolerance::farthest_joint;
     upper_[place] = is_range ? upper : -tolerance::farthest_joint;
+    least_[place] = lower_[place] - limit_tolerance;
+    most_[place] = upper_[place] + limit_tolerance;
   }
   /// Share of a level's motors in the square of the distance from the centre.
   template <class Level>
@@ -202,8 +206,8 @@ class WithinMotors {
     for (int i = begin_of(level); i < begin_of(level + 1); ++i) {
       const double motion = Map::turns.motion[level][i];
       if (motion != 0) {
-        const double down = (lower_[i] - limit_tolerance - values[i]) * (1 / motion);
-        const double up = (upper_[i] + limit_tolerance - values[i]) * (1 / motion);
+        const double down = (least_[i] - values[i]) * (1 / motion);
+        const double up = (most_[i] - values[i]) * (1 / motion);
         least = std::max(least, motion > 0 ? down : up);
         most = std::min(most, motion > 0 ? up : down);
       } else if (!holds(i, values[i])) {
@@ -228,7 +232,7 @@ class WithinMotors {
     return whole < value ? whole + 1 : whole;
   }
   [[nodiscard]] bool holds(int place, double value) const {
-    return value >= lower_[place] - limit_tolerance && value <= upper_[place] + limit_tolerance;
+    return value >= least_[place] && value <= most_[place];
   }
 
   /// Takes the only number of a level that may be inside.
@@ -284,6 +288,7 @@ class WithinMotors {
   }
 
   double lower_[bounded], upper_[bounded];
+  double least_[bounded], most_[bounded];  ///< with the tolerance of limits
   Values centre_;
   TurnRange ranges_[bounded];
 };

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include <qvgen/inverse/joint_limits.h>
+#include <qvgen/inverse/motor_lanes.h>
 #include <qvgen/inverse/motor_representatives.h>
 #include <qvgen/inverse/motor_ways.h>
 #include <qvgen/inverse/row_iterator.h>
@@ -35,15 +36,14 @@ class AllWithinMotors {
   /// From all solutions, in motors.
   AllWithinMotors(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits)
       : effort(found.effort), within_(limits, Joints<dof>::Zero()) {
-    bool is_marked = false, is_cut = false;
-    for (const Solution<dof>& row : found) {
-      Joints<dof> motors = row.q;
-      double square = 0;
-      if (!within_.take_nearest(motors, square, is_cut)) continue;
-      rows_.append() = row;
-      is_marked = is_marked || row.continuum;
+    const inverse::RowsInside<Map, capacity> inside(found, within_,
+                                                    [](const Joints<dof>& motors) { return motors; });
+    bool is_marked = false;
+    for (std::size_t at = 0; at < static_cast<std::size_t>(inside.count); ++at) {
+      rows_.append() = found[inside.kept[at]];
+      is_marked = is_marked || found[inside.kept[at]].continuum;
     }
-    status = inverse::status_within(is_cut ? Status::incomplete : found.status, empty(), is_marked);
+    status = inverse::status_within(inside.is_cut ? Status::incomplete : found.status, empty(), is_marked);
   }
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
@@ -100,25 +100,22 @@ bool is_regular(const Found& found) {
 template <class Map, int dof, int capacity, class MotorsOf>
 LimitedSolutions<dof, capacity> nearest_of_rows(const Solutions<dof, capacity>& found,
                                                 const WithinMotors<Map>& within, const MotorsOf& motors_of) {
+  const RowsInside<Map, capacity> inside(found, within, motors_of);
+  std::array<int, static_cast<std::size_t>(capacity)> places;
+  find_places(inside.squares, inside.count, places);
   LimitedSolutions<dof, capacity> result;
-  std::array<double, static_cast<std::size_t>(capacity)> squares;
-  bool is_marked = false, is_cut = false;
-  for (const Solution<dof>& row : found) {
-    Joints<dof> motors = motors_of(row.q);
-    double square = 0;
-    if (!within.take_nearest(motors, square, is_cut)) continue;
-    int place = result.size();
-    result.append();
-    for (; place > 0 && square < squares[static_cast<std::size_t>(place - 1)]; --place) {
-      result[place] = result[place - 1];
-      squares[static_cast<std::size_t>(place)] = squares[static_cast<std::size_t>(place - 1)];
-    }
-    result[place] = {motors, row.branch, row.continuum};
-    squares[static_cast<std::size_t>(place)] = square;
+  result.truncate(inside.count);
+  bool is_marked = false;
+  for (std::size_t at = 0; at < static_cast<std::size_t>(inside.count); ++at) {
+    const Solution<dof>& row = found[inside.kept[at]];
+    Solution<dof>& to = result[places[at]];
+    inside.copy_motors(at, to.q);
+    to.branch = row.branch;
+    to.continuum = row.continuum;
     is_marked = is_marked || row.continuum;
   }
   result.effort = found.effort;
-  result.status = status_within(is_cut ? Status::incomplete : found.status, result.empty(), is_marked);
+  result.status = status_within(inside.is_cut ? Status::incomplete : found.status, result.empty(), is_marked);
   return result;
 }
 

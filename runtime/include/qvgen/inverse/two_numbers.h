@@ -74,6 +74,9 @@ struct TwoNumbers {
     return {condition.one ? yes.one : no.one, condition.other ? yes.other : no.other};
   }
 
+  friend TwoNumbers smaller(const TwoNumbers& a, const TwoNumbers& b) { return select(a < b, a, b); }
+  friend TwoNumbers larger(const TwoNumbers& a, const TwoNumbers& b) { return select(b < a, a, b); }
+
   friend TwoNumbers arctangent(const TwoNumbers& y, const TwoNumbers& x) {
     return {inverse::arctangent(y.one, x.one), inverse::arctangent(y.other, x.other)};
   }
