@@ -34,8 +34,7 @@ if(WAY STREQUAL "find_package")
   list(APPEND common -DCMAKE_PREFIX_PATH=${WORK}/moved)
 else()
   # QVGEN_GENERATOR is not said: without GiNaC it has to be off by itself.
-  # A precompiled header takes longer than the few files of one robot.
-  list(APPEND common -DQVGEN_FOLDER=${QVGEN} -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+  list(APPEND common -DQVGEN_FOLDER=${QVGEN})
 endif()
 
 run("configuring the consumer" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/consumer ${common})
