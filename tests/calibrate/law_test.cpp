@@ -76,7 +76,7 @@ HoldOut hold_out(const std::string& robot, Data data, int repetitions) {
 TEST(Law, HoldOutIsNextToTheBound) {
   for (const char* robot : {"ur5", "scara"})
     for (const Data data : {Data::pose, Data::position}) {
-      const HoldOut result = hold_out(robot, data, 12);
+      const HoldOut result = hold_out(robot, data, trial_count(6));
       EXPECT_LE(result.position, 1.2 * result.bound) << robot;
       EXPECT_GE(result.position, 0.8 * result.bound) << robot << ": better than can be";
       EXPECT_LE(result.seconds, 1) << robot;
@@ -156,7 +156,7 @@ TEST(Law, ExactDataGiveTheTrueArm) {
 
 /// Readings are motors'; the description that is written has the same motors.
 TEST(Law, ExactDataOfMotorsGiveTheTrueArm) {
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(trial_count(4)); ++seed) {
     const std::string before =
         qvgen::test::ArmWriter(seed).with_motors(seed % 2 == 0 ? "RRRRRR" : "RRPR", false);
     Scene scene = scene_of_text(before, seed);
@@ -184,7 +184,7 @@ TEST(Law, SixJointsNameTheirIdealArm) {
 }
 
 TEST(Law, OutliersAreNamedByLine) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(trial_count(8)); ++seed) {
     Scene scene = scene_of("ur5", seed);
     stand_anywhere(scene);
     scene.noise = 5e-5;

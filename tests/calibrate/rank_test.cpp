@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What cannot be told: the exact rank of random arms is that of differences of the tests' own chain with
 // every error there is, and data in which a joint stood still are found out.
-#include <cstdlib>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,16 +42,10 @@ std::string random_arm(std::mt19937& random) {
   return text;
 }
 
-/// Returns how many instances are drawn: QVGEN_TRIALS, or the usual number.
-int trial_count(int usual) {
-  const char* text = std::getenv("QVGEN_TRIALS");
-  return text == nullptr ? usual : std::atoi(text);
-}
-
 TEST(Rank, OfRandomArmsIsThatOfDifferences) {
   std::mt19937 random(2);
   int compared = 0;
-  const int trials = trial_count(60);
+  const int trials = trial_count(30);
   for (int trial = 0; trial < trials; ++trial) {
     const std::string arm = random_arm(random);
     Scene scene = scene_of_text(arm, 1, 0);
@@ -87,7 +79,8 @@ TEST(Rank, OfRandomArmsIsThatOfDifferences) {
 /// Values are those of motors: errors of joints are told as if each joint had been read.
 TEST(Rank, OfArmsWithMotorsIsThatOfDifferences) {
   std::mt19937 random(5);
-  for (unsigned seed = 1; seed <= 24; ++seed) {
+  const auto trials = static_cast<unsigned>(trial_count(12));
+  for (unsigned seed = 1; seed <= trials; ++seed) {
     const std::string kind = std::vector<std::string>{"RRR", "RRRR", "RPR", "RRRRR"}[seed % 4];
     const std::string arm = qvgen::test::ArmWriter(seed).with_motors(kind, false);
     Scene scene = scene_of_text(arm, 1, 0);
@@ -115,7 +108,7 @@ TEST(Rank, AJointThatStoodStillIsFoundOut) {
   int found = 0;
   std::mt19937 random(3);
   const std::vector<std::string> robots{"ur5", "puma560", "scara", "stanford", "iiwa14"};
-  const int trials = trial_count(30);
+  const int trials = trial_count(15);
   for (int trial = 0; trial < trials; ++trial) {
     Scene scene =
         scene_of(robots[static_cast<std::size_t>(trial) % robots.size()], static_cast<unsigned>(trial));

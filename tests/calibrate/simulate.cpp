@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulate.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -227,6 +228,11 @@ MatrixXd derivative(const Scene& scene, const Measurement& at, bool tracker_know
     result.col(static_cast<Eigen::Index>(i)) = column;
   }
   return result;
+}
+
+int trial_count(int usual) {
+  const char* text = std::getenv("QVGEN_TRIALS");
+  return text == nullptr ? usual : std::atoi(text);
 }
 
 }  // namespace calibrate_test

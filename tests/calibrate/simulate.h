@@ -53,6 +53,9 @@ DataSet measure(const Scene& scene, std::size_t count, int held = -1);
 /// tracker's and the targets' frames and surfaces, by differences; known frames are left out.
 MatrixXd derivative(const Scene& scene, const Measurement& at, bool tracker_known, bool target_known);
 
+/// Returns how many instances are drawn: QVGEN_TRIALS, or the usual number.
+int trial_count(int usual);
+
 Rigid<double> rigid(const Isometry3d& m);
 Isometry3d motion(const Rigid<double>& m);
 

@@ -47,7 +47,11 @@ class BatchesOfHopper : public testing::Test {
         [&](const Columns& in) { return single(at(in), velocity(in[2]), velocity(in[3])); }, bound);
   }
 };
+#ifdef QVGEN_TESTS_FLOAT
 using Scalars = testing::Types<double, float>;
+#else
+using Scalars = testing::Types<double>;
+#endif
 TYPED_TEST_SUITE(BatchesOfHopper, Scalars);
 
 TYPED_TEST(BatchesOfHopper, InverseDynamics) {

@@ -14,10 +14,10 @@
 namespace qvgen::test {
 namespace {
 
-/// QVGEN_FUZZ texts, 2000 without it.
+/// QVGEN_FUZZ texts, 1000 without it.
 int count() {
   const char* wanted = std::getenv("QVGEN_FUZZ");
-  return wanted == nullptr ? 2000 : std::atoi(wanted);
+  return wanted == nullptr ? 1000 : std::atoi(wanted);
 }
 
 constexpr const char* urdf = R"(<?xml version="1.0"?>

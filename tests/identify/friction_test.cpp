@@ -87,12 +87,12 @@ TEST_F(Friction, RowsWithoutTemperatureAreLeftOut) {
 TEST_F(Friction, DeviationsHold) {
   double squares = 0;
   constexpr int trials = 30;
+  identify::ArmRegressor arm = identify::arm_regressor(read_arm(text), identify::all_drives());
+  identify::add_extra_columns(arm, false, true);
+  arm.temperature = log.temperature.mean();
   for (int trial = 0; trial < trials; ++trial) {
     MotionLog noisy = log;
     add_noise(noisy, Eigen::Vector3d::Constant(0.3), static_cast<unsigned>(trial + 1));
-    identify::ArmRegressor arm = identify::arm_regressor(read_arm(text), identify::all_drives());
-    identify::add_extra_columns(arm, false, true);
-    arm.temperature = log.temperature.mean();
     MotionLog smooth = noisy;
     for (Index i = 0; i < 3; ++i) {  // without Stribeck's part, which is no column here
       const double rate = 0.1 * log.qd.col(i).cwiseAbs().maxCoeff();

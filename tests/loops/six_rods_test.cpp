@@ -23,7 +23,7 @@ using Lengths = std::array<double, 6>;
 using Ends = rods::Ends<double>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int inputs = 200;
+constexpr int inputs = QVGEN_LOOP_STARTS < 1000 ? 80 : 1000;
 constexpr int share_with_starts = 40;  // every 40th input is solved by Newton's steps as well
 
 Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }

@@ -6,10 +6,12 @@
 
 #include <qvgen/robots/belt_scara.h>
 #include <qvgen/robots/bevel_arm.h>
-#include <qvgen/robots/gantry.h>
 #include <qvgen/robots/geared_seven.h>
 #include <qvgen/robots/nested_wrist.h>
 #include <qvgen/robots/rail_seven.h>
+#ifdef QVGEN_ALL_ARMS
+#include <qvgen/robots/gantry.h>
+#endif
 
 #include "fixed_sizes.h"
 
@@ -103,7 +105,6 @@ std::map<std::string, Arm> make_arms() {
   namespace geared = robots::geared_seven;
   namespace nested = robots::nested_wrist;
   namespace rail = robots::rail_seven;
-  namespace gantry = robots::gantry;
   std::map<std::string, Arm> arms;
   const auto add = [&](const std::string& name, const Arm& arm) { arms.emplace(name, arm); };
   // Bevel gears and a bar: six turns.
@@ -132,12 +133,15 @@ std::map<std::string, Arm> make_arms() {
                                  list(rail::joint_names),
                                  {0, 7},
                                  QVGEN_TEST_ARM(rail_seven, _given_rail_theta7, at[0], at[7])});
+#ifdef QVGEN_ALL_ARMS
+  namespace gantry = robots::gantry;
   // Nine joints: two in front and one behind are given.
   add("gantry", {"gantry",
                  gantry::inverse_info_given_gx_gz_flange,
                  list(gantry::joint_names),
                  {0, 1, 8},
                  QVGEN_TEST_ARM(gantry, _given_gx_gz_flange, at[0], at[1], at[8])});
+#endif
   arms.at("belt_scara").functions.jacobian = [](const VectorXd& q) {
     return MatrixXd(belt::jacobian(fixed<belt::dof>(q)));
   };

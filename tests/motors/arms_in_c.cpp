@@ -8,16 +8,18 @@
 #include <gtest/gtest.h>
 #include <qvgen/robots/belt_scara.h>
 #include <qvgen/robots/bevel_arm.h>
-#include <qvgen/robots/gantry.h>
 #include <qvgen/robots/geared_seven.h>
 #include <qvgen/robots/nested_wrist.h>
 #include <qvgen/robots/rail_seven.h>
 #include <qvgen_belt_scara_inverse.h>
 #include <qvgen_bevel_arm_inverse.h>
-#include <qvgen_gantry_inverse.h>
 #include <qvgen_geared_seven_inverse.h>
 #include <qvgen_nested_wrist_inverse.h>
 #include <qvgen_rail_seven_inverse.h>
+#ifdef QVGEN_ALL_ARMS
+#include <qvgen/robots/gantry.h>
+#include <qvgen_gantry_inverse.h>
+#endif
 
 #include "in_c.h"
 
@@ -152,8 +154,10 @@ void add_functions_in_c(std::map<std::string, Arm>& arms) {
                           at[0]));
   add("rail_seven", QVGEN_TEST_ARM_IN_C(rail_seven, LibraryOfJoints<robots::rail_seven::is_revolute>,
                                         _given_rail_theta3, at[0], at[3]));
+#ifdef QVGEN_ALL_ARMS
   add("gantry", QVGEN_TEST_ARM_IN_C(gantry, LibraryOfJoints<robots::gantry::is_revolute>, _given_gx_gz_flange,
                                     at[0], at[1], at[8]));
+#endif
 }
 
 }  // namespace qvgen::test

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <qvgen/robots/bevel_arm.h>
 #include <qvgen/robots/bevel_arm/batch.h>
+#ifdef QVGEN_ALL_ARMS
 #include <qvgen/robots/rail_seven.h>
 #include <qvgen/robots/rail_seven/batch.h>
+#endif
 
 #include "arms.h"
 
@@ -101,6 +103,7 @@ TEST(MotorBatch, HasTheBitsOfSingleCalls) {
   batches.expect_single_calls(true, &limits);
 }
 
+#ifdef QVGEN_ALL_ARMS
 TEST(RailSevenBatch, HasTheBitsOfSingleCalls) {
   namespace robot = robots::rail_seven;
   Batches batches(arm_named("rail_seven_by_the_last"), 60, 2);
@@ -111,6 +114,7 @@ TEST(RailSevenBatch, HasTheBitsOfSingleCalls) {
   const Bounds limits = bounds(robot::Limits());
   batches.expect_single_calls(true, &limits);
 }
+#endif
 
 }  // namespace
 }  // namespace qvgen::test

@@ -12,8 +12,10 @@ class OuterJoints : public OfEachArm {
  protected:
   std::mt19937 random_{17};
 };
-INSTANTIATE_TEST_SUITE_P(Of, OuterJoints, testing::Values("rail_seven", "rail_seven_by_the_last", "gantry"),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Of, OuterJoints, testing::Values("rail_seven", "rail_seven_by_the_last"), name_of);
+#ifdef QVGEN_ALL_ARMS
+INSTANTIATE_TEST_SUITE_P(LongRuns, OuterJoints, testing::Values("gantry"), name_of);
+#endif
 
 TEST_P(OuterJoints, AreToldByTheInfo) {
   EXPECT_EQ(arm_.info.given_joint, 0);

@@ -20,7 +20,7 @@ class PathLaws : public testing::TestWithParam<std::string> {
   static void for_each_path(int usual, const Check& check) {
     std::mt19937 random(7);
     // A pose of an arm by elimination takes some fifty times as long.
-    const int count = path_count(GetParam() == "crx10ia" ? usual / 4 : usual);
+    const int count = path_count(GetParam() == "crx10ia" ? std::max(1, usual / 4) : usual);
     for (int i = 0; i < count; ++i) {
       const double length = i % 3 == 0 ? 0.2 : i % 3 == 1 ? 0.6 : 1.5;
       SCOPED_TRACE(GetParam() + ", path " + std::to_string(i));
@@ -50,7 +50,7 @@ bool is_near_an_end(const std::vector<Track>& tracks, double s) {
 
 TEST_P(PathLaws, NoMotionIsLostAndNoneInvented) {
   int compared = 0, paths = 0, hidden = 0;
-  for_each_path(12, [&](const std::vector<Pose<double>>& samples) {
+  for_each_path(6, [&](const std::vector<Pose<double>>& samples) {
     const Whole whole(arm(), samples);
     EXPECT_FALSE(whole.record.is_full);
     ++paths;
@@ -96,7 +96,7 @@ Values followed(const AnyArm& arm, const Curve& curve, Values q, double from, do
 
 TEST_P(PathLaws, JointsAtTheSamplesAreThoseOfDenseSteps) {
   int compared = 0;
-  for_each_path(6, [&](const std::vector<Pose<double>>& samples) {
+  for_each_path(3, [&](const std::vector<Pose<double>>& samples) {
     const Whole whole(arm(), samples);
     for (int number = 0; number < whole.record.tracks(); ++number) {
       for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -113,7 +113,7 @@ TEST_P(PathLaws, JointsAtTheSamplesAreThoseOfDenseSteps) {
       }
     }
   });
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, 50);
 }
 
 /// A meeting has the joints of both tracks, which reach the pose, where the Jacobian is singular.
@@ -170,7 +170,7 @@ bool is_reversed(const Track& track, const Track& back, double end, const JointK
 }
 
 TEST_P(PathLaws, TheWayBackGivesTheSameMotions) {
-  for_each_path(12, [&](const std::vector<Pose<double>>& samples) {
+  for_each_path(6, [&](const std::vector<Pose<double>>& samples) {
     const Whole there(arm(), samples);
     const Whole back(arm(), {samples.rbegin(), samples.rend()});
     EXPECT_EQ(there.record.tracks(), back.record.tracks());
@@ -184,7 +184,7 @@ TEST_P(PathLaws, TheWayBackGivesTheSameMotions) {
 }
 
 TEST_P(PathLaws, MotionsOfTheHalvesJoin) {
-  for_each_path(12, [&](const std::vector<Pose<double>>& samples) {
+  for_each_path(6, [&](const std::vector<Pose<double>>& samples) {
     const std::size_t half = samples.size() / 2;
     const double cut = static_cast<double>(half);
     const Whole whole(arm(), samples);

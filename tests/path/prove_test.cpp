@@ -58,7 +58,7 @@ Between way_between(int k) {
 TEST(PathProof, OnlyWhatIsNextToSingularPosesIsNotProven) {
   std::mt19937 random(3);
   int whole_ones = 0, gaps = 0;
-  for (int k = 0; k < path_count(9); ++k) {
+  for (int k = 0; k < path_count(4); ++k) {
     SCOPED_TRACE(k);
     const Whole whole(arm(), random_path(arm(), random, 12, k % 2 == 0 ? 0.2 : 0.8), no_limits(),
                       way_between(k), {}, 0.005);
@@ -82,8 +82,8 @@ TEST(PathProof, OnlyWhatIsNextToSingularPosesIsNotProven) {
       }
     }
   }
-  EXPECT_GT(whole_ones, 20);
-  EXPECT_GT(gaps, 5);
+  EXPECT_GT(whole_ones, 8);
+  EXPECT_GT(gaps, 2);
 }
 
 /// The ends of a way, each with all solutions there.
@@ -101,7 +101,7 @@ inverse::certified::TubeProof tube(const Between2& way, const Values& from, cons
 TEST(PathProof, WrongClaimsAreNotProven) {
   std::mt19937 random(4);
   int right = 0, wrong = 0;
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < path_count(4); ++k) {
     const auto samples = random_path(arm(), random, 3, 0.1);
     const Curve curve(samples.data(), 3, way_between(k), 0.01);
     const Between2 way{curve.at(0), curve.at(1), arm().solve(curve.at(0)), arm().solve(curve.at(1)),
@@ -132,8 +132,8 @@ TEST(PathProof, WrongClaimsAreNotProven) {
         EXPECT_FALSE(tube(other, from.q, goal).is_proven());
       }
   }
-  EXPECT_GT(right, 20);
-  EXPECT_GT(wrong, 100);
+  EXPECT_GT(right, 6);
+  EXPECT_GT(wrong, 30);
 }
 
 /// The joints in the tube of a bent way are those of its poses, not of the straight ones or of others.

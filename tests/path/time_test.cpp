@@ -80,18 +80,18 @@ TEST(PathTiming, NoLimitIsLeftAndSomeLimitHolds) {
   for (int trial = 0; trial < 20; ++trial) {
     SCOPED_TRACE(trial);
     std::uniform_real_distribution<double> limit(0.5, 5);
-    path::RateLimits<7> limits;
-    for (int k = 0; k < 7; ++k) {
+    path::RateLimits<3> limits;
+    for (int k = 0; k < 3; ++k) {
       limits.speed[k] = limit(random);
       limits.acceleration[k] = 4 * limit(random);
     }
-    const Timed<7> timed(random_way<7>(random, 1000), limits);
+    const Timed<3> timed(random_way<3>(random, 1000), limits);
     ASSERT_GT(timed.seconds, 0);
     int slack = 0;
     for (std::size_t i = 0; i + 1 < timed.q.size(); ++i) {
       double highest = 0;
       for (int k = 0; k <= 20; ++k) {
-        Joints<7> speed, acceleration;
+        Joints<3> speed, acceleration;
         timed.timing.rates(i, k / 20.0, speed, acceleration);
         const double ratio = std::max(speed.cwiseQuotient(limits.speed).cwiseAbs().maxCoeff(),
                                       acceleration.cwiseQuotient(limits.acceleration).cwiseAbs().maxCoeff());

@@ -55,7 +55,7 @@ void for_each_place(const AnyArm& arm, const FreeRequest<6>& request, const Resu
 TEST(Tolerance, AConeIsKeptEverywhere) {
   std::mt19937 random(3);
   int followed = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < path_count(6); ++i) {
     const AnyArm& arm = arm_called(i % 2 == 0 ? "ur5" : "irb6640").arm;
     const auto request = request_of(random_path(arm, random, 40, 0.3), usual, {{"cone_z", -0.2, 0.2}});
     const Result result = best_of(arm, request);
@@ -72,13 +72,13 @@ TEST(Tolerance, AConeIsKeptEverywhere) {
     });
     EXPECT_GT(widest, 0.02);  // what is free is used
   }
-  EXPECT_GT(followed, 4);
+  EXPECT_GT(followed, 2);
 }
 
 TEST(Tolerance, ABoxIsKeptEverywhere) {
   std::mt19937 random(4);
   int followed = 0;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < path_count(4); ++i) {
     const AnyArm& arm = arm_called(i % 2 == 0 ? "ur5" : "stanford").arm;
     const auto request =
         request_of(random_path(arm, random, 30, 0.3), usual,
@@ -95,7 +95,7 @@ TEST(Tolerance, ABoxIsKeptEverywhere) {
       ASSERT_TRUE(off.turn.y() >= -0.01 - 1e-7 && off.turn.y() <= 0.06 + 1e-7);
     });
   }
-  EXPECT_GT(followed, 2);
+  EXPECT_GT(followed, 1);
 }
 
 /// The joints of a motion that follows the whole path are among those of all motions.
@@ -113,7 +113,7 @@ void expect_among(const Result& result, const Whole& whole) {
 TEST(Tolerance, NoneAtAllIsThePathItself) {
   std::mt19937 random(5);
   const AnyArm& arm = arm_called("ur5").arm;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < path_count(6); ++i) {
     const auto samples = random_path(arm, random, 40, 0.3);
     const Whole whole(arm, samples, usual);
     bool is_followed = false;
@@ -150,7 +150,7 @@ double cost_of(const Result& result, const JointLimits<6>& limits) {
 TEST(Tolerance, MoreFreedomNeverCostsMore) {
   std::mt19937 random(6);
   int compared = 0;
-  for (int i = 0; i < 9; ++i) {
+  for (int i = 0; i < path_count(6); ++i) {
     const AnyArm& arm = arms()[static_cast<std::size_t>(i) % 3].arm;
     const auto samples = random_path(arm, random, 30, 0.3);
     const Result fixed = best_of(arm, request_of(samples, usual, {{"cone_z", 0, 0}}));
@@ -165,7 +165,7 @@ TEST(Tolerance, MoreFreedomNeverCostsMore) {
       EXPECT_NEAR(result.cost, cost_of(result, usual), 1e-9);
     }
   }
-  EXPECT_GT(compared, 3);
+  EXPECT_GT(compared, 1);
 }
 
 /// A line whose middle is two millimetres beyond the reach.
@@ -211,7 +211,7 @@ TEST(Tolerance, TheWayBackIsLikeTheWay) {
   std::mt19937 random(7);
   const AnyArm& arm = arm_called("irb6640").arm;
   int compared = 0;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < path_count(3); ++i) {
     auto samples = random_path(arm, random, 30, 0.3);
     const std::vector<Named> free{{"cone_z", -0.1, 0.1}, {"tool_z"}};
     const Result there = best_of(arm, request_of(samples, usual, free));
@@ -222,7 +222,7 @@ TEST(Tolerance, TheWayBackIsLikeTheWay) {
     ++compared;
     EXPECT_NEAR(there.cost / back.cost, 1, 0.02) << i;
   }
-  EXPECT_GT(compared, 2);
+  EXPECT_GT(compared, 0);
 }
 
 /// Joints with limits of two whole turns go on without a jump.
