@@ -87,11 +87,16 @@ TEST_P(GivenDirection, WhatIsNoNumberIsInvalidAndWhatIsFarUnreachable) {
 INSTANTIATE_TEST_SUITE_P(Arms, GivenDirection, testing::ValuesIn(inverses()), name_of);
 
 TEST(GivenDirectionArms, HaveTheJointGivenThatTheirDescriptionsName) {
-  ASSERT_GE(inverses().size(), directed_arms.size());
-  for (std::size_t i = 0; i < directed_arms.size(); ++i) {
-    EXPECT_EQ(inverses()[i].info.given_joint, directed_arms[i].given) << inverses()[i].name;
-    EXPECT_EQ(inverses()[i].info.task, Task::position_and_direction);
+  int built = 0;
+  for (const InverseUnderTest& arm : inverses()) {
+    EXPECT_EQ(arm.info.task, Task::position_and_direction);
+    for (std::size_t i = 0; i < directed_arms.size(); ++i) {
+      if (arm.name != "directed_00" + std::to_string(i)) continue;
+      EXPECT_EQ(arm.info.given_joint, directed_arms[i].given) << arm.name;
+      ++built;
+    }
   }
+  EXPECT_GT(built, 1);
 }
 
 TEST(GivenDirectionArms, AllAreSolved) {
