@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// write_random_arms TOOL FOLDER ARMS_IN_A_FILE [FAMILY SEEDS IN_CXX]...: descriptions of random arms, what the
-// tool generates from them, and C++ files that register all of it with the test. Each arm of the seeds ("1,6")
-// is registered in C; those whose seeds IN_CXX names ("1", "all", "none"), and those that have no C, in C++ too.
+// write_random_arms TOOL FOLDER ARMS_IN_A_FILE [FAMILY SEEDS IN_CXX]...: descriptions of random arms, what
+// the tool generates from them, and C++ files that register all of it with the test. Each arm of the seeds
+// ("1,6") is registered in C; those whose seeds IN_CXX names ("1", "all", "none"), and those that have no C,
+// in C++ too.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -235,6 +236,13 @@ void write_registrations(const Folder& folder, std::ofstream& file, std::span<co
   }
 }
 
+/// Names as C++ lists them: "\"pitch_002\", ".
+std::string names(const std::vector<Arm>& arms) {
+  std::string list;
+  for (const Arm& arm : arms) list += "\"" + arm.name + "\", ";
+  return list;
+}
+
 void write_files(const Folder& folder, const std::vector<Arm>& arms, std::size_t in_a_file) {
   for (std::size_t number = 0; number * in_a_file < arms.size(); ++number) {
     const std::size_t first = number * in_a_file;
@@ -244,7 +252,7 @@ void write_files(const Folder& folder, const std::vector<Arm>& arms, std::size_t
     file << "#include \"robot_in_c.h\"\n#include \"rows_within.h\"\n#include \"unsolved.h\"\n";
     if (first == 0)
       file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 15) > 0; }\n"
-           << "std::size_t qvgen::test::written_arms() { return " << arms.size() << "; }\n";
+           << "std::vector<std::string> qvgen::test::written_arms() { return {" << names(arms) << "}; }\n";
     write_registrations(folder, file, part);
   }
 }
