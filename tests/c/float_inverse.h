@@ -5,10 +5,15 @@
 #include <array>
 #include <cstddef>
 
-#define QVGEN_ARMS(arm) \
-  arm(puma560, 6, ) arm(ur5, 6, ) arm(stanford, 6, ) arm(nn, 6, ) arm(rrr, 3, _of_position)
+#define QVGEN_USUAL_ARMS(arm) arm(ur5, 6, ) arm(stanford, 6, ) arm(rrr, 3, _of_position)
+#if defined(QVGEN_ALL_ARMS)
+#define QVGEN_ARMS(arm) QVGEN_USUAL_ARMS(arm) arm(puma560, 6, ) arm(nn, 6, )
+#else
+#define QVGEN_ARMS QVGEN_USUAL_ARMS
+#endif
 
 extern "C" {
+#if defined(QVGEN_ALL_ARMS)
 #include "qvgen_nn.h"
 #include "qvgen_nn_in_float.h"
 #include "qvgen_nn_in_float_inverse.h"
@@ -17,6 +22,7 @@ extern "C" {
 #include "qvgen_puma560_in_float.h"
 #include "qvgen_puma560_in_float_inverse.h"
 #include "qvgen_puma560_inverse.h"
+#endif
 #include "qvgen_rrr.h"
 #include "qvgen_rrr_in_float.h"
 #include "qvgen_rrr_in_float_inverse.h"

@@ -4,7 +4,9 @@
 
 #include "qvgen_inclined_seven_inverse.h"
 #include "qvgen_jaco2_inverse.h"
+#ifdef QVGEN_ALL_ARMS
 #include "qvgen_seven_joints_inverse.h"
+#endif
 
 int jaco2_in_c(const double pose[7], const double* seed, struct rows* found) {
   found->capacity = jaco2_inverse_capacity;
@@ -25,6 +27,7 @@ int jaco2_with_room(const double pose[7], int rows, struct rows* found) {
   return jaco2_inverse_kinematics(pose, pose + 4, NULL, NULL, rows, found->q, NULL, &found->status);
 }
 
+#ifdef QVGEN_ALL_ARMS
 int seven_in_c(const double pose[7], double given, const double* seed, struct seven_rows* found) {
   found->capacity = seven_joints_inverse_capacity_given_theta5;
   return seven_joints_inverse_kinematics_given_theta5(pose, pose + 4, given, seed, NULL, 16, found->q,
@@ -39,6 +42,7 @@ int seven_within_in_c(const double pose[7], double given, const double* seed, st
 int seven_near_in_c(const double pose[7], double given, double* q, int* status) {
   return seven_joints_inverse_kinematics_near_given_theta5(pose, pose + 4, given, q, NULL, q, status);
 }
+#endif
 
 int inclined_in_c(const double position[3], const double up[3], const double given[2], const double* seed,
                   struct seven_rows* found) {

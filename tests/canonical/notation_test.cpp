@@ -41,7 +41,7 @@ std::string text_of(const model::Robot& robot) {
 
 TEST(Notation, DoesNotChangeWhatIsDerivedFrom) {
   std::mt19937 random(1);
-  for (int k = 0; k < (test::is_long_run() ? 200 : 50); ++k) {
+  for (int k = 0; k < (test::is_long_run() ? 200 : 25); ++k) {
     const model::Robot robot = test::random_right_angled_robot(random);
     const model::Robot other = test::in_another_notation(robot, random);
     const std::vector<canonical::Arm> own = canonical::right_angled_models(robot);

@@ -81,7 +81,7 @@ std::vector<Arm> arms() {
 
 int poses() {
   const char* wanted = std::getenv("QVGEN_POSES");
-  return wanted != nullptr ? std::atoi(wanted) : 4;
+  return wanted != nullptr ? std::atoi(wanted) : 3;
 }
 
 bool is_complete(const Outcome& outcome) { return outcome.count.proof == Proof::complete; }

@@ -28,7 +28,7 @@ double distance(const Eigen::Matrix<double, dof, 1>& a, const Eigen::Matrix<doub
 /// Poses of an arm: some, or as many as the environment variable QVGEN_POSES says.
 inline int pose_count() {
   const char* text = std::getenv("QVGEN_POSES");
-  return text == nullptr ? 12 : std::atoi(text);
+  return text == nullptr ? 8 : std::atoi(text);
 }
 
 /// Poses are proven to have the solutions that are found and no other, the sampled joints among them. Random

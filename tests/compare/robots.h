@@ -23,8 +23,10 @@ inline model::Robot robot_of(const std::string& text) {
 /// Descriptions of robots. Arms that differ from others by the sizes and senses of a few joints alone are
 /// those of long runs, which set QVGEN_FORMULATIONS.
 inline std::vector<std::filesystem::path> committed_robots() {
-  static const std::set<std::string> twins{"cc", "cn", "cr", "nc", "nr", "ns",      "rc",  "rr",
-                                           "rs", "sc", "sn", "sr", "ss", "irb6640", "rx90"};
+  static const std::set<std::string> twins{
+      "cc",       "cn",      "cr",  "nc",  "nn",    "nr",         "ns",     "rc",        "rn",
+      "rr",       "rs",      "sc",  "sn",  "sr",    "ss",         "rrp",    "rrr",       "rx90",
+      "pan_tilt", "irb6640", "ur5", "rpp", "xarm6", "ns_numbers", "poe_6r", "rr_planar", "crx10ia"};
   const bool all = std::getenv("QVGEN_FORMULATIONS") != nullptr;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/generator/robots"))

@@ -19,7 +19,7 @@ namespace qvgen::test {
 class GeneratedDynamics : public testing::TestWithParam<DynamicsFactory> {
  protected:
   static constexpr double gravity = 9.5;
-  static constexpr int configurations = 300;
+  static constexpr int configurations = 150;
 
   GeneratedDynamics() {
     reference::Values values;

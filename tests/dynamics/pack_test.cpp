@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 #include <qvgen/pack.h>
-#include <qvgen/robots/iiwa14/dynamics_definitions.h>
 #include <qvgen/robots/puma560/dynamics_definitions.h>
+#if defined(QVGEN_ALL_ARMS)
+#include <qvgen/robots/iiwa14/dynamics_definitions.h>
+#endif
 
 namespace {
 
@@ -55,6 +57,7 @@ TEST(PacksOfConfigurations, GiveWhatEachConfigurationGives) {
   }
 }
 
+#if defined(QVGEN_ALL_ARMS)
 TEST(PacksOfConfigurations, TakeSevenJoints) {
   namespace arm = qvgen::robots::iiwa14;
   std::mt19937_64 random(2);
@@ -66,5 +69,6 @@ TEST(PacksOfConfigurations, TakeSevenJoints) {
                   arm::inverse_dynamics(lane_of<7>(q, lane), lane_of<7>(qd, lane), lane_of<7>(qdd, lane)));
   }
 }
+#endif
 
 }  // namespace

@@ -51,12 +51,12 @@ Count count_all(const Draw& draw) {
       const auto setup = inverse::elimination::set_up(arm.description());
       EXPECT_GT(setup.count, 0) << by;
       Random random(77);
-      for (int i = 0; i < 20; ++i)
+      for (int i = 0; i < 10; ++i)
         if (const std::optional<Joints6> q = draw(arm, random, i)) count(arm, setup, *q, sum);
     }
   std::printf("of %d poses %d are told to be incomplete, %d lack the sampled joints silently\n", sum.poses,
               sum.told, sum.silent);
-  EXPECT_GT(sum.poses, 400);
+  EXPECT_GT(sum.poses, 200);
   EXPECT_EQ(sum.unreachable, 0);
   return sum;
 }

@@ -143,10 +143,10 @@ void check_dynamics(const Case& arm, std::mt19937& random) {
     ASSERT_NEAR(torque[i], expected[static_cast<Eigen::Index>(i)], 1e-10 * size) << arm.text;
 }
 
-/// QVGEN_RANDOM_ARMS arms, 60 without it; 3000 in long runs.
+/// QVGEN_RANDOM_ARMS arms, 24 without it; 3000 in long runs.
 std::uint32_t count() {
   const char* wanted = std::getenv("QVGEN_RANDOM_ARMS");
-  return wanted == nullptr ? 60 : static_cast<std::uint32_t>(std::atoi(wanted));
+  return wanted == nullptr ? 24 : static_cast<std::uint32_t>(std::atoi(wanted));
 }
 
 class RandomArms : public testing::Test {

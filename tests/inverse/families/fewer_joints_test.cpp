@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arms with fewer than six joints, generated and compiled: every solution of what they are asked for.
+#include "families.h"
 #include "five_arms.h"
 #include "written_arm.h"
 
@@ -21,7 +22,7 @@ TEST_P(FewerJoints, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_th
 
 TEST_P(FewerJoints, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 
-INSTANTIATE_TEST_SUITE_P(Arms, FewerJoints, testing::ValuesIn(inverses()), name_of);
+INSTANTIATE_TEST_SUITE_P(Arms, FewerJoints, testing::ValuesIn(inverses_of(families::fewer_joints)), name_of);
 
 /// The arms of five_arms.h, in the first places of their family.
 class FiveJointsAsBuilt : public WrittenArm {};
@@ -43,7 +44,7 @@ TEST_P(FiveJointsAsBuilt, NoPoseWithTheToolOnTheFirstAxisIsUnreachable) {
 
 std::vector<InverseUnderTest> five_joints_as_built() {
   std::vector<InverseUnderTest> arms;
-  for (const InverseUnderTest& arm : inverses())
+  for (const InverseUnderTest& arm : inverses_of(families::fewer_joints))
     for (std::size_t i = 0; i < five_arms.size(); ++i)
       if (arm.name == "five_00" + std::to_string(i)) arms.push_back(arm);
   return arms;
@@ -51,9 +52,11 @@ std::vector<InverseUnderTest> five_joints_as_built() {
 INSTANTIATE_TEST_SUITE_P(Arms, FiveJointsAsBuilt, testing::ValuesIn(five_joints_as_built()), name_of);
 
 TEST(FewerJointsArms, WhatIsNotSolvedIsSaid) {
-  EXPECT_EQ(inverses().size() + unsolved().size(), written_arms());
-  EXPECT_GE(inverses().size(), unsolved().size());
-  for (const Unsolved& arm : unsolved()) EXPECT_FALSE(arm.reasons.empty()) << arm.name;
+  EXPECT_EQ(inverses_of(families::fewer_joints).size() + unsolved_of(families::fewer_joints).size(),
+            written_arms(families::fewer_joints));
+  EXPECT_GE(inverses_of(families::fewer_joints).size(), unsolved_of(families::fewer_joints).size());
+  for (const Unsolved& arm : unsolved_of(families::fewer_joints))
+    EXPECT_FALSE(arm.reasons.empty()) << arm.name;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arms that are asked for a position and an inclination, generated and compiled: every solution, in C++ and
 // in C. The reference has its own equations: the first axis in the tool's frame, by forward kinematics.
+#include "families.h"
 #include "part_of_a_pose.h"
 
 namespace qvgen::test {
@@ -122,11 +123,12 @@ TEST_P(Inclination, WhatIsNoNumberIsInvalidAndWhatIsFarUnreachable) {
   EXPECT_TRUE(slides || far.rows.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Arms, Inclination, testing::ValuesIn(inverses()), name_of);
+INSTANTIATE_TEST_SUITE_P(Arms, Inclination, testing::ValuesIn(inverses_of(families::inclined)), name_of);
 
 TEST(InclinedArms, AllAreSolved) {
-  EXPECT_EQ(inverses().size(), written_arms());
-  for (const Unsolved& arm : unsolved()) ADD_FAILURE() << arm.name << ": " << arm.reasons;
+  EXPECT_EQ(inverses_of(families::inclined).size(), written_arms(families::inclined));
+  for (const Unsolved& arm : unsolved_of(families::inclined))
+    ADD_FAILURE() << arm.name << ": " << arm.reasons;
 }
 
 /// Pitch and roll as an inertial unit has them: of Rz(heading) Ry(pitch) Rx(roll).

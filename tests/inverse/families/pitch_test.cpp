@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arms that are asked for a position and a pitch, generated and compiled: every solution, in C++ and in C.
+#include "families.h"
 #include "part_of_a_pose.h"
 
 namespace qvgen::test {
@@ -53,11 +54,11 @@ TEST_P(Pitch, WhatIsNoNumberIsInvalid) {
   EXPECT_TRUE(test().slides_besides_given() || far.rows.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Arms, Pitch, testing::ValuesIn(inverses()), name_of);
+INSTANTIATE_TEST_SUITE_P(Arms, Pitch, testing::ValuesIn(inverses_of(families::pitch)), name_of);
 
 TEST(PitchArms, AllAreSolved) {
-  EXPECT_EQ(inverses().size(), written_arms());
-  for (const Unsolved& arm : unsolved()) ADD_FAILURE() << arm.name << ": " << arm.reasons;
+  EXPECT_EQ(inverses_of(families::pitch).size(), written_arms(families::pitch));
+  for (const Unsolved& arm : unsolved_of(families::pitch)) ADD_FAILURE() << arm.name << ": " << arm.reasons;
 }
 
 }  // namespace

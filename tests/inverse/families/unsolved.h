@@ -25,7 +25,7 @@ inline bool add_unsolved(Unsolved arm) {
   return true;
 }
 
-/// How many arms the test is of, solved or not; defined beside them.
-std::size_t written_arms();
+/// Names of the arms that the test is of, solved or not; defined beside them.
+std::vector<std::string> written_arms();
 
 }  // namespace qvgen::test

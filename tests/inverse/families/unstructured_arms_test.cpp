@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arms of five, six and seven joints whose axes have no structure, generated and compiled: every solution.
+#include "families.h"
 #include "written_arm.h"
 
 namespace qvgen::test {
@@ -25,11 +26,12 @@ TEST_P(Unstructured, WhatIsNoNumberIsInvalid) {
   EXPECT_EQ(GetParam().solve_near(sample.pose, nan, sample.q).status, Status::invalid);
 }
 
-INSTANTIATE_TEST_SUITE_P(Arms, Unstructured, testing::ValuesIn(inverses()), name_of);
+INSTANTIATE_TEST_SUITE_P(Arms, Unstructured, testing::ValuesIn(inverses_of(families::unstructured)), name_of);
 
 TEST(UnstructuredArms, AllAreSolvedByElimination) {
-  EXPECT_EQ(inverses().size(), written_arms());
-  for (const InverseUnderTest& arm : inverses()) EXPECT_TRUE(arm.info.by_elimination) << arm.name;
+  EXPECT_EQ(inverses_of(families::unstructured).size(), written_arms(families::unstructured));
+  for (const InverseUnderTest& arm : inverses_of(families::unstructured))
+    EXPECT_TRUE(arm.info.by_elimination) << arm.name;
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// write_random_arms TOOL FOLDER ARMS_IN_A_FILE [FAMILY COUNT SEEDS]...: descriptions of random arms, what the
-// tool generates from them, and C++ files that register all of it with the test. Each arm is registered in C;
-// those whose seeds are named ("1,6", "all"), and those that have no C, in C++ too.
+// write_random_arms TOOL FOLDER ARMS_IN_A_FILE [FAMILY SEEDS IN_CXX]...: descriptions of random arms, what
+// the tool generates from them, and C++ files that register all of it with the test. Each arm of the seeds
+// ("1,6") is registered in C; those whose seeds IN_CXX names ("1", "all", "none"), and those that have no C,
+// in C++ too.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <span>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -234,6 +236,13 @@ void write_registrations(const Folder& folder, std::ofstream& file, std::span<co
   }
 }
 
+/// Names as C++ lists them: "\"pitch_002\", ".
+std::string names(const std::vector<Arm>& arms) {
+  std::string list;
+  for (const Arm& arm : arms) list += "\"" + arm.name + "\", ";
+  return list;
+}
+
 void write_files(const Folder& folder, const std::vector<Arm>& arms, std::size_t in_a_file) {
   for (std::size_t number = 0; number * in_a_file < arms.size(); ++number) {
     const std::size_t first = number * in_a_file;
@@ -243,7 +252,7 @@ void write_files(const Folder& folder, const std::vector<Arm>& arms, std::size_t
     file << "#include \"robot_in_c.h\"\n#include \"rows_within.h\"\n#include \"unsolved.h\"\n";
     if (first == 0)
       file << "namespace { const bool has_own_sines = (qvgen::test::most_others() = 15) > 0; }\n"
-           << "std::size_t qvgen::test::written_arms() { return " << arms.size() << "; }\n";
+           << "std::vector<std::string> qvgen::test::written_arms() { return {" << names(arms) << "}; }\n";
     write_registrations(folder, file, part);
   }
 }
@@ -253,13 +262,15 @@ bool is_among(const std::string& seeds, std::uint32_t seed) {
   return seeds == "all" || ("," + seeds + ",").find("," + std::to_string(seed) + ",") != std::string::npos;
 }
 
-/// Writes the descriptions of a family's arms.
-std::vector<Arm> describe(const Folder& folder, const std::string& family, std::uint32_t count,
+/// Writes the descriptions of a family's arms, whose seeds are a list: "1,6".
+std::vector<Arm> describe(const Folder& folder, const std::string& family, const std::string& seeds,
                           const std::string& in_cxx) {
   std::vector<Arm> arms;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    arms.push_back({arm_name(family, i), is_among(in_cxx, i)});
-    std::ofstream(folder.description(arms.back().name)) << qvgen::test::arm_description(family, i);
+  std::istringstream list(seeds);
+  for (std::string number; std::getline(list, number, ',');) {
+    const auto seed = static_cast<std::uint32_t>(std::stoul(number));
+    arms.push_back({arm_name(family, seed), is_among(in_cxx, seed)});
+    std::ofstream(folder.description(arms.back().name)) << qvgen::test::arm_description(family, seed);
   }
   return arms;
 }
@@ -286,9 +297,7 @@ int main(int argc, char** argv) {
   fs::create_directories(folder.root);
   std::vector<Arm> arms;
   for (int i = 4; i < argc; i += 3)
-    for (Arm& arm :
-         describe(folder, argv[i], static_cast<std::uint32_t>(std::atoi(argv[i + 1])), argv[i + 2]))
-      arms.push_back(std::move(arm));
+    for (Arm& arm : describe(folder, argv[i], argv[i + 1], argv[i + 2])) arms.push_back(std::move(arm));
   if (!generate(folder, argv[1], arms)) return 1;
   for (Arm& arm : arms) arm.in_cxx = arm.in_cxx || !fs::exists(folder.in_c(arm.name));
   write_files(folder, arms, static_cast<std::size_t>(std::atoi(argv[3])));
