@@ -46,10 +46,13 @@ std::string thousands_text(int thousands) {
   return fmt::format("{},{:03},000", thousands / 1000, thousands % 1000);
 }
 
-json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int branches) {
+/// `further`: steps of the whole arm besides.
+json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int branches, int further = 0) {
+  const int thousands = thousands_of_instructions(budget, joints, branches) +
+                        static_cast<int>(std::ceil(further * step_of_more));
   return {{"passes", budget.passes},
-          {"steps", budget.steps},
-          {"instructions", thousands_text(thousands_of_instructions(budget, joints, branches))}};
+          {"steps", budget.steps + further},
+          {"instructions", thousands_text(thousands)}};
 }
 
 qvgen::inverse::Budget most_effort(const derive::inverse::Plan& plan, int joints, int branches) {
@@ -68,13 +71,17 @@ json work_values(const derive::inverse::Problem& problem, const derive::inverse:
   const qvgen::inverse::Budget reaching =
       qvgen::inverse::most_effort_of_reaching(problem.own_joints, plan.capacity, most);
   const std::size_t all = problem.robot.joints.size();
+  // A folded wrist makes one row of a branch, which is finished by steps from that row.
+  const bool folds = polished_joints(plan) > 0 && plan.has_oblique_wrist();
+  const int of_folded = folds ? branches * qvgen::inverse::near_effort.steps : 0;
   return {{"polishes_whole_arm", polished_joints(plan) == all},
+          {"folds_wrist", folds},
           {"polished_joints", std::to_string(joints)},
           {"polished_branches", std::to_string(branches)},
           {"tries_more", plan.follows_for_few_angles()},
           {"most_passes", most.passes},
           {"most_steps", most.steps},
-          {"most_of_rows", effort_values(most, joints, branches)},
+          {"most_of_rows", effort_values(most, joints, branches, of_folded)},
           {"most_of_reaching", effort_values(reaching, all, branches)}};
 }
 

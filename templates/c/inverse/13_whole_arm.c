@@ -246,6 +246,46 @@ static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const
     take_nearer(&row, seed, found);
 }
 
+/// Finishes rows in which a wrist is folded, because rounding has put it beyond the end of its range: the joints
+/// before it may be at a double root and then carry half the digits. Newton's steps of all joints, but a given one,
+/// lead from there to the pose, or there is no such solution.
+static void finish_folded(const Arm* arm, int points, const Pose* pose, int given, double value, double tolerance,
+                          Rows* found) {
+  const double allowed = 2 * larger(tolerance, tolerance_least_fold);
+  PointMatching task;
+  set_matching(arm, pose, points, &task);
+  int kept = 0;
+  for (int k = 0; k < found->count; ++k) {
+    Preference start;
+    JointValues values;
+    prefer_seed(found->rows[k].q, &start);
+    for (int i = 0; i < arm->joints; ++i)
+      values.of[i] = arm->of[i].revolute ? start.turn[i] : rotor(start.slide[i], 0);
+    bool is_row = true;
+    if (miss_square(&task, &values) > allowed * allowed * task.size_square) {
+      Nearest led;
+      start_nearest(&led);
+      row_from_seed(arm, points, pose, &start, given, value, tolerance, false, 0, &led);
+      found->effort.steps += led.effort.steps;
+      is_row = led.count > 0;
+      if (!is_row && led.effort.used_up) found->effort.used_up = true;
+      for (int i = 0; i < found->count; ++i)
+        if (is_row && (i < kept || i > k)) is_row = !are_one_row(found->rows[i].q, led.row.q);
+      if (is_row) {
+        memcpy(found->rows[k].q, led.row.q, sizeof led.row.q);
+        found->rows[k].continuum = found->rows[k].continuum || led.row.continuum;
+      }
+    }
+    if (is_row && kept < k) {
+      const Row row = found->rows[k];
+      found->rows[kept] = row;
+    }
+    kept += is_row ? 1 : 0;
+  }
+  found->count = kept;
+  conclude(found);
+}
+
 /// The first number that no row has.
 static int free_branch(const Solutions* rows) {
   for (int branch = 0; branch < rows->count; ++branch) {

@@ -212,6 +212,8 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
   const bool takes_poses = problem.task == Task::pose || problem.task == Task::position;
   variant["virtual_joints"] = has_virtual_joints;
   variant["joins_seed"] = variant["seed_branch"].is_object() && takes_poses;
+  variant["folds"] = variant["joins_seed"].get<bool>() && problem.task == Task::pose && !has_virtual_joints &&
+                     variant.value("folds_wrist", false);
   const bool has_first_pass = !variant["elimination"].get<bool>() && variant["first_pass"].is_object();
   variant["fits_limits"] = variant["joins_seed"].get<bool>() && !has_virtual_joints;
   variant["limits_early"] =

@@ -104,6 +104,13 @@ struct Boundary {
     return boundary;
   }
 
+  /// Returns this boundary with wrists folded that are as far outside.
+  [[nodiscard]] constexpr Boundary folded_by(double most) const {
+    Boundary boundary = *this;
+    boundary.fold = most > fold ? most : fold;
+    return boundary;
+  }
+
   // The passes of quartic/care.h.
 
   /// From the ends of the ranges, taking no miss but rounding.

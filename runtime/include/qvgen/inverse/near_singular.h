@@ -53,12 +53,13 @@ struct NearSingularSearch {
   const Follow& follow;
   Solutions<dof, capacity>& found;
   Preference<dof> preference = *goal.preference;
+  double fold = 0;  ///< see `solve_near_singular`
   bool met_free = false;
   bool has_both_ranges = false;  ///< rows in both ranges of a choice: they are all that there are
 
   bool pass(const Boundary& boundary) {
     if (!tracker.budget().pass()) return false;
-    goal.boundary = boundary;
+    goal.boundary = boundary.folded_by(fold);
     Target start = goal;
     start.preference = &preference;
     return follow(start, goal, tracker, found);
@@ -107,12 +108,14 @@ inline constexpr PlannedPass<Search> passes_of_closed_forms[] = {
 };
 
 /// Solves near singular poses, see above. Whatever is chosen on the way, the goal's preference stays the
-/// caller's: a continuum is to be left next to the seed.
+/// caller's: a continuum is to be left next to the seed. `fold`: so far outside a wrist is folded; the caller
+/// finishes such rows, see `finish_folded`.
 template <int dof, class Target, class Tracker, int capacity, class Follow>
 void solve_near_singular(const Target& goal, const Tracker& tracker, const Follow& follow,
-                         Solutions<dof, capacity>& found) {
+                         Solutions<dof, capacity>& found, double fold = 0) {
   using Search = NearSingularSearch<dof, Target, Tracker, capacity, Follow>;
   Search search{goal, tracker, follow, found};
+  search.fold = fold;
   run_passes(passes_of_closed_forms<Search>, search);
   found.effort = search.tracker.budget().spent;
   number_apart(found);

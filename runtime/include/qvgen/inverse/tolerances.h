@@ -53,6 +53,8 @@ inline constexpr double end_anywhere = 1e3;
 inline constexpr double end_apart = digits(1e-10);
 /// A wrist is folded: half of the 1e-12 that no solution may miss its pose by.
 inline constexpr double least_fold = digits(5e-13);
+/// A wrist is folded for steps of all joints: behind a double root, which carries half the digits, and some.
+inline constexpr double fold_at_double_root = digits(1e-6);
 
 // Squares of directions, as multiples of the square that is noise for sure.
 

@@ -171,6 +171,35 @@ void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const
                        is_sure, found);
 }
 
+/// Finishes rows in which a wrist is folded, because rounding has put it beyond the end of its range: the
+/// joints before it may be at a double root and then carry half the digits. Newton's steps of all joints lead
+/// from there to the pose, or there is no such solution. `lead(start)` is the row that they lead to.
+template <int points, int dof, int capacity, class Lead>
+void finish_folded(const ArmAtZero<dof>& arm, const Pose<double>& pose, double tolerance,
+                   const bool* revolute, const Lead& lead, Solutions<dof, capacity>& found) {
+  const auto task = matching<points>(arm, pose);
+  const double allowed = 2 * std::max(tolerance, tolerance::least_fold);
+  int kept = 0;
+  for (int k = 0; k < found.size(); ++k) {
+    const Preference<dof> start = preference<dof>(found[k].q);
+    if (miss_square<points>(task, start) > allowed * allowed * task.size_square) {
+      const Solutions<dof, 1> led = lead(start);
+      found.effort.steps += led.effort.steps;
+      found.effort.used_up = found.effort.used_up || (led.empty() && led.effort.used_up);
+      const auto is_known = [&](const Solution<dof>& row) { return is_same_row(row, led[0], revolute); };
+      if (led.empty() || std::any_of(found.begin(), found.begin() + kept, is_known) ||
+          std::any_of(found.begin() + k + 1, found.end(), is_known))
+        continue;
+      found[k].q = led[0].q;
+      found[k].continuum = found[k].continuum || led[0].continuum;
+    }
+    if (kept < k) found[kept] = found[k];
+    ++kept;
+  }
+  found.truncate(kept);
+  found.conclude();
+}
+
 /// The arm with a turn of its tool about an axis of its own, a unit vector, as one more joint: what a task
 /// with a direction leaves.
 template <int dof>
@@ -249,6 +278,27 @@ void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const
   const auto rest = row_from_seed<points>(without_joint(arm, given, value), pose, without_joint(seed, given),
                                           tolerance, is_sure, row_apart);
   take_nearer_of_steps(with_joint(rest, given, value), seed, revolute, is_sure, found);
+}
+
+/// Finishes rows near singular poses in which a wrist is folded, of an arm whose joints are all asked for.
+template <int points, int dof, int capacity>
+void finish_folded(const ArmAtZero<dof>& arm, const Pose<double>& pose, double tolerance,
+                   const bool* revolute, Solutions<dof, capacity>& found) {
+  const auto lead = [&](const Preference<dof>& start) {
+    return row_from_seed<points>(arm, pose, start, tolerance, false, 0);
+  };
+  finish_folded<points>(arm, pose, tolerance, revolute, lead, found);
+}
+/// Finishes such rows with one joint given.
+template <int points, int dof, int capacity>
+void finish_folded(const ArmAtZero<dof>& arm, const Pose<double>& pose, int given, double value,
+                   double tolerance, const bool* revolute, Solutions<dof, capacity>& found) {
+  const auto lead = [&](const Preference<dof>& start) {
+    return with_joint(row_from_seed<points>(without_joint(arm, given, value), pose,
+                                            without_joint(start, given), tolerance, false, 0),
+                      given, value);
+  };
+  finish_folded<points>(arm, pose, tolerance, revolute, lead, found);
 }
 
 /// The first number that no row has.

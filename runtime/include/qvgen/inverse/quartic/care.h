@@ -30,6 +30,7 @@ struct CarefulSearch {
   Target goal;
   Visited tracker;
   Preference<dof> preference = *goal.preference;
+  double fold = 0;  ///< see `solve_near_singular`
   bool met_free = false;
   bool strays = false;           ///< a branch came near a continuum, and to no solution of its own on it
   bool divides_by_zero = false;  ///< at the given joint's value, where nothing has been found
@@ -38,7 +39,7 @@ struct CarefulSearch {
     if (!tracker.budget().pass()) return false;
     start.boundary = boundary;
     start.preference = &preference;
-    goal.boundary = at_goal;
+    goal.boundary = at_goal.folded_by(fold);
     return follow(start, goal, tracker, found);
   }
   bool pass(const Boundary& boundary) { return pass_from(goal, boundary, boundary); }
@@ -108,14 +109,16 @@ inline constexpr PlannedPass<Search> further_passes[] = {
 
 /// Solves near singular poses. Whatever is chosen on the way, the goal's preference stays the caller's: a
 /// continuum is to be left next to the seed. `always`: an arm whose poses all come here, a quartic's, of
-/// which the roots have to be polished; the first pass then says nothing about singular poses.
+/// which the roots have to be polished; the first pass then says nothing about singular poses. `fold`: as for
+/// `solve_near_singular`.
 template <int dof, class Aim, class Visited, int capacity, class Follow>
 void solve_carefully(const Pose<double>& pose, const Aim& aimed, const Visited& visited, const Follow& follow,
-                     Solutions<dof, capacity>& found, bool held, bool always) {
+                     Solutions<dof, capacity>& found, bool held, bool always, double fold = 0) {
   const auto goal = aimed(Place{pose});
   using Target = std::decay_t<decltype(goal)>;
   using Search = CarefulSearch<dof, Target, Visited, capacity, Follow, Aim>;
   Search search{pose, aimed, follow, found, held, goal, visited};
+  search.fold = fold;
   const int regular = always ? 1 : 0;
   search.tracker.budget().passes += regular;
   run_passes(first_passes<Search>, search);
