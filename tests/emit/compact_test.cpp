@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "emit/cpp/compact_text.h"
+
 namespace {
 
 using namespace qvgen;
@@ -74,13 +76,9 @@ TEST(Compact, ReadsAsBeforeWithItsNamesPutBack) {
   for (const std::size_t count : {1U, 2U, 40U, 700U, 3000U, 30000U}) {
     const emit::Code code = random_code(count, random);
     const emit::Code compact = emit::compact(code);
-    const std::string text = emit::compact_statements(compact.temporaries, {});
-    std::vector<std::string> values = split(text.substr(std::string("N ").size()), ',');
     std::map<std::string, std::string> texts;
     std::size_t next = 0;
-    for (const std::string& value : values) {
-      const std::size_t middle = value.find('=');
-      const std::string name = value.substr(0, middle), expression = value.substr(middle + 1);
+    for (const auto& [name, expression] : compact.temporaries) {
       const bool is_number = expression.starts_with("N(") && expression.find(')') + 1 == expression.size();
       EXPECT_TRUE(std::set<std::string>({"at", "do", "if", "or", "r", "q", "k"}).count(name) == 0) << name;
       EXPECT_TRUE(texts.emplace(name, is_number ? expression : code.temporaries[next].name).second) << name;
@@ -95,6 +93,36 @@ TEST(Compact, ReadsAsBeforeWithItsNamesPutBack) {
       EXPECT_EQ(without_spaces(with_usual_numbers(replaced(compact.outputs[i].expression, texts))),
                 without_spaces(code.outputs[i].expression));
   }
+}
+
+/// All values are declared once, none before one that it reads.
+TEST(Compact, ValuesComeBehindWhatTheyRead) {
+  std::mt19937 random(3);
+  for (const std::size_t count : {1U, 2U, 40U, 700U, 3000U}) {
+    const emit::Code compact = emit::compact(random_code(count, random));
+    std::map<std::string, std::string> expected;
+    for (const auto& [name, expression] : compact.temporaries) expected.emplace(name, expression);
+    std::map<std::string, std::string> declared;
+    const std::string text = emit::compact_statements(compact.temporaries, {});
+    for (const std::string& value : split(text.substr(std::string("N ").size()), ',')) {
+      const std::size_t middle = value.find('=');
+      const std::string name = value.substr(0, middle), expression = value.substr(middle + 1);
+      EXPECT_EQ(expected.at(name), expression);
+      emit::with_words(expression, [&](const std::string& word) {
+        EXPECT_TRUE(expected.count(word) == declared.count(word)) << word << " in " << value;
+        return word;
+      });
+      EXPECT_TRUE(declared.emplace(name, expression).second) << name;
+    }
+    EXPECT_EQ(declared.size(), expected.size());
+  }
+}
+
+/// u is the last to read t, so that one of them is kept: it comes before v, which is one more.
+TEST(Compact, LastReadersComeFirst) {
+  EXPECT_EQ(
+      emit::compact_statements({{"t", "q[0]*q[1]"}, {"v", "q[0]*q[2]"}, {"u", "t*t"}}, {{"result", "u*v"}}),
+      "N t=q[0]*q[1],u=t*t,v=q[0]*q[2];result=u*v");
 }
 
 TEST(Compact, LinesAreAsLongAsOthers) {
@@ -169,8 +197,19 @@ TEST(Compact, ZerosBelowOneAnotherAreFilled) {
                 "Scalar(0)"},
                {"result.m(0, 0) = result.m(1, 0)", "t0"},
                {"result.v[4] = result.v[6] = result.v[7]", "t1"}}),
-      "auto& r=result.m;auto& r1=result.v;std::fill_n(&r(8,2),4,Scalar(0));std::fill_n(&r1[0],4,Scalar("
+      "auto& r=result.m;auto& r1=result.v;r.template block<4,1>(8,2).setZero();std::fill_n(&r1[0],4,Scalar("
       "0));\nr(12,3)=r1[5]=Scalar(0);result.x=Scalar(0);r(0,0)=r(1,0)=t0;r1[4]=r1[6]=r1[7]=t1");
+}
+
+/// The columns of a tip's joint, then the rows of what its forces do to those that carry it.
+TEST(Compact, OutputsComeFromTheTipsToTheBase) {
+  const std::vector<std::string> places{"v[0]",    "v[1]",    "v[2]",    "m(0, 0)", "m(0, 1) = m(1, 0)",
+                                        "m(2, 1)", "m(1, 2)", "m(2, 2)", "m(1, 1)"};
+  std::vector<std::string> ordered;
+  for (const std::size_t i : emit::from_tips_to_base(places)) ordered.push_back(places[i]);
+  const std::vector<std::string> expected{"m(2, 2)",           "m(1, 2)", "m(2, 1)", "v[2]",   "m(1, 1)",
+                                          "m(0, 1) = m(1, 0)", "v[1]",    "v[0]",    "m(0, 0)"};
+  EXPECT_EQ(ordered, expected);
 }
 
 TEST(Compact, OutputsAreStoredAsSoonAsTheyAreKnown) {

@@ -100,6 +100,27 @@ TEST(BranchFactorisation, GivesDerivativesOfAccelerations) {
   });
 }
 
+struct ForcesOfAFloatingBase {
+  static constexpr bool has_floating_base = true;
+  Eigen::Matrix<double, 18, 18> by_position, by_rate;
+};
+
+/// Turns of a base in gravity and its linear velocity act as an acceleration of the base does.
+TEST(BranchFactorisation, ABaseThatFloatsAcceleratesAsAWhole) {
+  using Tree = RandomTree<double, Quadruped>;
+  ForcesOfAFloatingBase forces{Tree::on_branches(), Tree::on_branches()};
+  Tree::Matrix matrix = Tree::mass();
+  matrix.topLeftCorner<3, 3>() = 40 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix<double, 3, 6> change = Eigen::Matrix<double, 3, 6>::Random();
+  forces.by_position.leftCols<3>().setZero();
+  forces.by_position.middleCols<3>(3) = matrix.leftCols<3>().lazyProduct(change.leftCols<3>());
+  forces.by_rate.leftCols<3>() = matrix.leftCols<3>().lazyProduct(change.rightCols<3>());
+  const auto found = forward_dynamics_derivatives(Tree::Mass(matrix), forces);
+  EXPECT_LE(off(wide(matrix), wide(found.by_position), -wide(forces.by_position)), Tree::close);
+  EXPECT_LE(off(wide(matrix), wide(found.by_rate), -wide(forces.by_rate)), Tree::close);
+  EXPECT_TRUE(found.by_rate.bottomLeftCorner(15, 3).isZero(0));
+}
+
 /// A base's place makes no difference to forces, and its columns of zeros are not solved.
 TEST(BranchFactorisation, TakesAColumnForZerosOnlyIfAllAre) {
   using Tree = RandomTree<double, Quadruped>;

@@ -232,6 +232,35 @@ DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
       straight_code(function.function, leaves_of(robot, angles, constants.value), language, longest_inline)};
 }
 
+namespace {
+
+template <class Value>
+std::vector<Value> in_order(const std::vector<Value>& values, const std::vector<std::size_t>& order) {
+  std::vector<Value> result;
+  for (const std::size_t i : order) result.push_back(values[i]);
+  return result;
+}
+
+/// True for forces and matrices, which come from the tips; accelerations come from the base.
+bool begins_at_tips(const DynamicsInterface& interface) {
+  const Result result = interface.result;
+  const auto& given = interface.arguments;
+  return (result == Result::vector && std::find(given.begin(), given.end(), "torque") == given.end()) ||
+         result == Result::symmetric_matrix || result == Result::matrix || result == Result::derivatives;
+}
+
+Body compact_dynamics(const model::Robot& robot, Optimised function, const DynamicsInterface& interface,
+                      std::vector<std::string> places, const std::vector<dag::Angle>& angles) {
+  if (begins_at_tips(interface)) {
+    const std::vector<std::size_t> order = from_tips_to_base(places);
+    function.function.outputs = in_order(function.function.outputs, order);
+    places = in_order(places, order);
+  }
+  return compact_body_of(dynamics_code(robot, function, angles, plain_cpp(), compact_inline).code, places);
+}
+
+}  // namespace
+
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
   const auto [set_up, code] = dynamics_code(robot, function, angles);
@@ -240,9 +269,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
   const bool in_few_bytes = bytes_count(robot, code);
   const std::vector<std::string> named = sine_cosine_declarations(robot, function.function, angles);
   const Body body =
-      in_few_bytes
-          ? compact_body_of(dynamics_code(robot, function, angles, plain_cpp(), compact_inline).code, places)
-          : body_of(code, places);
+      in_few_bytes ? compact_dynamics(robot, function, interface, places, angles) : body_of(code, places);
   const Arguments arguments = arguments_of(robot, interface, scalar);
   const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},
