@@ -54,7 +54,7 @@ struct Count {
 void count(const Arm& arm, const inverse::elimination::Setup& setup, Draw draw, Count& sum) {
   Random random(41);
   const char* text = std::getenv("QVGEN_POSES");
-  const int poses = text == nullptr ? 12 : std::atoi(text) / 20;
+  const int poses = text == nullptr ? 24 : std::atoi(text) / 20;
   for (int i = 0; i < poses; ++i) {
     const std::optional<Joints6> q = draw(arm, random, i);
     if (!q) continue;
@@ -72,7 +72,7 @@ void count(const Arm& arm, const inverse::elimination::Setup& setup, Draw draw, 
 
 void check(const char* name, Draw draw) {
   Count sum;
-  for (unsigned seed = 1000; seed < 1010; ++seed)
+  for (unsigned seed = 1000; seed < (std::getenv("QVGEN_POSES") == nullptr ? 1005 : 1010); ++seed)
     for (int slide = 0; slide < 6; ++slide) {
       const Arm arm = with_few_lengths(seed, slide);
       const auto setup = inverse::elimination::set_up(arm.description());
