@@ -292,6 +292,9 @@ void add_constraints(const AssemblyPlan& assembly, json& values) {
   add("gap", code_of(constraints.gap, robot, numbers(gaps), in_cpp()));
   add("jacobian",
       code_of(constraints.jacobian, robot, entries(constraints.rows, robot.joints.size()), in_cpp()));
+  // Newton's steps take both at the same joints.
+  const bool share = values["gap_angles"] == values["jacobian_angles"];
+  values["shared_angles"] = share ? values["gap_angles"] : json(false);
   add("bias", code_of(constraints.bias, robot, numbers(constraints.rows), in_cpp()));
   values["gap_count"] = gaps;
   std::string doc = "In the order";
@@ -338,7 +341,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"closing", closing_of(variant, assembly)},
           {"lengths", lengths_in(mechanism, assembly.given)},
           {"slides", slides_in(variant, assembly, "std::abs")},
-          {"checks_all", assembly.redundant.empty() ? "false" : "true"},
+          {"checks_all", !assembly.redundant.empty()},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},
           {"target_fields", fields_of(assembly.plan.target_kept)},

@@ -99,9 +99,9 @@ double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std:
 }
 
 /// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
-/// ones: 30 at most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q; `enough` is
-/// the gap, m, that counts as closed. It is an iteration: it leads to one assembly, which need not be the
-/// seed's where the way is long.
+/// ones: 30 at most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q, and the
+/// Jacobian is asked for where the gaps have just been; `enough` is the gap, m, that counts as closed. It is
+/// an iteration: it leads to one assembly, which need not be the seed's where the way is long.
 template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
 Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& passive, const Gaps& gaps,
                            const Jacobian& jacobian, double enough) {

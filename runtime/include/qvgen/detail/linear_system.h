@@ -45,22 +45,14 @@ class LinearSystem {
   using Column = Eigen::Matrix<double, size, 1>;
 
   explicit LinearSystem(const Square& matrix) {
-    for (std::size_t i = 0; i < n; ++i) {
-      order_[i] = i;
-      for (std::size_t j = 0; j < n; ++j) rows_[i][j] = matrix(static_cast<int>(i), static_cast<int>(j));
-    }
-    eliminate_from<0>();
+    factor([&](std::size_t i, std::size_t j) { return matrix(static_cast<int>(i), static_cast<int>(j)); });
   }
 
   /// Takes these columns of a wider matrix.
   template <int width>
   LinearSystem(const Eigen::Matrix<double, size, width>& matrix,
                const std::array<int, static_cast<std::size_t>(size)>& columns) {
-    for (std::size_t i = 0; i < n; ++i) {
-      order_[i] = i;
-      for (std::size_t j = 0; j < n; ++j) rows_[i][j] = matrix(static_cast<int>(i), columns[j]);
-    }
-    eliminate_from<0>();
+    factor([&](std::size_t i, std::size_t j) { return matrix(static_cast<int>(i), columns[j]); });
   }
 
   [[nodiscard]] double determinant() const {
@@ -130,7 +122,24 @@ class LinearSystem {
   static void subtract(double factor, const std::array<double, count>& from, std::array<double, count>& to) {
     for (std::size_t j = 0; j < count; ++j) to[j] -= factor * from[j];
   }
-  [[nodiscard]] const Row& row(std::size_t i) const { return rows_[order_[i]]; }
+  /// Two rows are read in the order of their pivots; more keep their places, and only their order changes.
+  static constexpr bool in_order = n == 2;
+  [[nodiscard]] std::size_t place(std::size_t i) const { return in_order ? i : order_[i]; }
+  [[nodiscard]] const Row& row(std::size_t i) const { return rows_[place(i)]; }
+
+  /// Factors the matrix with these entries, entry(i, j).
+  template <class Entry>
+  [[gnu::always_inline]] inline void factor(const Entry& entry) {
+    for (std::size_t i = 0; i < n; ++i) order_[i] = i;
+    if constexpr (in_order) {
+      const bool is_second = std::abs(entry(1, 0)) > std::abs(entry(0, 0));
+      order_ = {std::size_t{is_second}, std::size_t{!is_second}};
+      sign_ = is_second ? -1 : 1;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) rows_[i][j] = entry(in_order ? order_[i] : i, j);
+    eliminate_from<0>();
+  }
 
   /// Forward substitution of rows that end on the diagonal, with bounds that the compiler knows.
   template <std::size_t k>
@@ -146,9 +155,17 @@ class LinearSystem {
 
   template <std::size_t count>
   void substitute_back(Lines<count>& x) const {
-    for (std::size_t k = n; k-- > 0;) {
+    back_from<n>(x);
+  }
+
+  /// Back substitution of rows before row `end`, with bounds that the compiler knows.
+  template <std::size_t end, std::size_t count>
+  [[gnu::always_inline]] inline void back_from(Lines<count>& x) const {
+    if constexpr (end > 0) {
+      constexpr std::size_t k = end - 1;
       for (double& each : x[k]) each *= reciprocals_[k];
       for (std::size_t i = 0; i < k; ++i) subtract(row(i)[k], x[k], x[i]);
+      back_from<k>(x);
     }
   }
 
@@ -156,7 +173,7 @@ class LinearSystem {
   template <std::size_t k>
   void eliminate_from() {
     if constexpr (k < n) {
-      bring_pivot_to<k>();
+      if constexpr (!in_order) bring_pivot_to<k>();
       eliminate<k>();
       eliminate_from<k + 1>();
     }
@@ -182,14 +199,14 @@ class LinearSystem {
     reciprocals_[k] = 1 / pivots[k];
     if (pivots[k] == 0) return;
     for (std::size_t i = k + 1; i < n; ++i) {
-      Row& lower = rows_[order_[i]];
+      Row& lower = rows_[place(i)];
       const double factor = lower[k] * reciprocals_[k];
       lower[k] = factor;
       for (std::size_t j = k + 1; j < n; ++j) lower[j] -= factor * pivots[j];
     }
   }
 
-  std::array<Row, n> rows_;  ///< of the matrix in its order: factors below the diagonal, on it and above
+  std::array<Row, n> rows_;            ///< of the matrix: factors below the diagonal, on it and above
   std::array<std::size_t, n> order_;   ///< of rows, as pivots come
   std::array<double, n> reciprocals_;  ///< of pivots: a system divides as often as it has rows
   double sign_ = 1;
