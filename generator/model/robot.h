@@ -119,6 +119,7 @@ struct Frame {
 struct Parameter {
   std::string name;
   std::optional<Expression> default_value;
+  bool is_given = false;  ///< the value of a joint that is given at run time
 };
 
 /// Target of an inverse kinematics. The reduced ones are for arms that cannot follow a whole pose.

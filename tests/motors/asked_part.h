@@ -32,8 +32,7 @@ class AskedArm {
   }
   [[nodiscard]] Part part(const VectorXd& q) const;
   /// True if the given joints leave the others something to be solved for: their values do not bring the
-  /// tool's axis, or the first one, along the axes that a pitch is about, nor make the others depend on each
-  /// other everywhere, as two slides that a given turn between them makes parallel.
+  /// tool's axis, or the first one, along the axes that a pitch is about.
   [[nodiscard]] bool serves(const VectorXd& q) const;
   /// How far the parts that two sets of joints have are apart, in metres and radians.
   [[nodiscard]] double gap(const VectorXd& a, const VectorXd& b) const;
@@ -43,8 +42,6 @@ class AskedArm {
 
  private:
   [[nodiscard]] bool is_given(std::size_t joint) const;
-  /// How the part changes with the joints that are not given, by differences.
-  [[nodiscard]] Eigen::MatrixXd slopes(const VectorXd& q) const;
   /// The first joint from one on that turns and is not given.
   [[nodiscard]] std::size_t turn_from(std::size_t joint) const;
   [[nodiscard]] Eigen::Vector3d axis(const VectorXd& q, std::size_t joint) const;

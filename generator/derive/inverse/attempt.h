@@ -17,7 +17,7 @@ struct Attempt {
         robot(from.robot),
         scope(robot, from.given_slides ? "" : held_parameter(from)),
         chain(chain_of(robot, scope, plan.target)),
-        builder(robot, scope, plan, held_parameter(from)) {}
+        builder(robot, scope, plan) {}
 
   /// "2, 3 and 4" for the joints first, first + 1, ... (counted from 0), by their numbers in the arm.
   [[nodiscard]] std::string joints(std::size_t first, std::size_t count) const;

@@ -9,10 +9,9 @@ namespace qvgen::derive::inverse {
 
 using GiNaC::ex;
 
-Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held)
-    : scope_(scope), plan_(plan) {
+Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan) : scope_(scope), plan_(plan) {
   for (const auto& parameter : robot.geometry)
-    if (parameter.name != held) constants_.insert(symbolic::symbol(parameter.name));
+    if (!parameter.is_given) constants_.insert(symbolic::symbol(parameter.name));
   for (const auto& step : plan.target.steps())
     if (is_constant(step.value)) constants_.insert(step.name);
   plan_.joints.resize(robot.joints.size());

@@ -48,8 +48,8 @@ struct Reach {
 /// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
 class Builder {
  public:
-  /// A value that depends on the parameter `held` is not a constant of the arm: it may vanish.
-  Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held = "");
+  /// A value that depends on a given joint's is not a constant of the arm: it may vanish.
+  Builder(const model::Robot& robot, Scope& scope, Plan& plan);
 
   [[nodiscard]] Scope& scope() { return scope_; }
   [[nodiscard]] Plan& plan() { return plan_; }

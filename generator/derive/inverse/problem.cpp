@@ -124,7 +124,7 @@ Problem with_held(const Problem& problem, std::size_t joint) {
   next = model::compose(fixed, next);
   const auto place = static_cast<std::ptrdiff_t>(joint);
   robot.joints.erase(robot.joints.begin() + place);
-  robot.geometry.push_back({held.variable, std::nullopt});
+  robot.geometry.push_back({held.variable, std::nullopt, true});
   result.given = result.places[joint];
   result.given_slides = held.type == model::JointType::prismatic;
   result.places.erase(result.places.begin() + place);

@@ -78,7 +78,7 @@ void add_inner_arm(const model::Robot& robot, OuterJoints& way) {
     }
     if (has(way.held, i)) {
       const std::string name = held_name(robot, i);
-      inner.geometry.push_back({name, std::nullopt});
+      inner.geometry.push_back({name, std::nullopt, true});
       path = model::compose(path, derive::inverse::motion_by(joint, model::Expression::symbol(name)));
     }
     path = model::compose(path, joint.after);
