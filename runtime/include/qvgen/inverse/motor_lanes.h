@@ -85,7 +85,8 @@ class LanesWithinMotors {
   /// far the level's motors are farther from the centre with any other one, at least.
   struct Piece {
     Lane least, most, number, farther;
-    [[nodiscard]] Truth empty() const { return !(least <= most); }
+    Truth outside;  ///< a value that the level does not move is
+    [[nodiscard]] Truth empty() const { return outside | !(least <= most); }
   };
 
   template <int level>
@@ -140,8 +141,7 @@ class LanesWithinMotors {
       if (motion != 0) wanted += motion * (centre_[i] - values[i]);
       square += motion * motion;
     }
-    Piece piece{whole_above(least), -whole_above(-most), {}, {}};
-    piece.least = select(outside, piece.most + 1.0, piece.least);
+    Piece piece{whole_above(least), -whole_above(-most), {}, {}, outside};
     const Lane nearest = square != 0 ? wanted * (1 / square) : Lane(0.0), whole = nearest_whole(nearest);
     piece.number = smaller(piece.most, larger(piece.least, whole));
     // The distance is a parabola over the number. Towards its least there is no other number if one has been
