@@ -251,7 +251,6 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   }
   const Target t = given(g, tolerance, preference, given_theta3);
   solve(pose, t, form, found);
-
   return found;
 }
 

@@ -146,7 +146,6 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   const inverse::Preference<3> moved = inverse::with_phases(preference, phases);
   const Target t = given(g, tolerance, moved);
   solve(pose, t, form, found);
-
   inverse::subtract_phases(found, phases);
   return found;
 }

@@ -231,7 +231,6 @@ Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, cons
   Rows found;
   const Target t = given(g, tolerance, preference);
   solve(pose, t, form, found);
-
   return found;
 }
 
