@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rows within limits of motors next to a centre, a row a lane: what motor_turns.h does for one, without a
 // jump. In each block the numbers of turns are chosen one after the other, each as near as its level allows.
-// That is the nearest representative where no neighbour of such a number, by its level alone, is nearer than
-// all levels of the block together. Nearly all rows are so; the others are left to the search of
+// The choice is the nearest representative if any other number of a level puts that level alone farther away
+// than all levels of the block are now. Nearly all rows are so; the others are left to the search of
 // motor_turns.h. Both give the same rows.
 #pragma once
 
