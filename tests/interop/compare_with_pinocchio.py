@@ -114,13 +114,13 @@ def compare_generated(path, tip, chain, has_masses):
     for _ in range(5):
         values, rates = random.uniform(-1.5, 1.5, (2, arm.dof))
         chain.place(values)
-        largest = max(largest, abs(arm.homogeneous_transform(values) - chain.pose()).max())
+        largest = np.max([largest, abs(arm.homogeneous_transform(values) - chain.pose()).max()])
         if has_masses:
             coriolis = chain.coriolis_torque(values, rates)
             chain.place(values)
-            largest = max(largest, share(arm.mass_matrix(values), chain.mass_matrix()),
-                          share(arm.gravity_torque(values), chain.gravity_torque()),
-                          share(arm.coriolis_torque(values, rates), coriolis))
+            largest = np.max([largest, share(arm.mass_matrix(values), chain.mass_matrix()),
+                              share(arm.gravity_torque(values), chain.gravity_torque()),
+                              share(arm.coriolis_torque(values, rates), coriolis)])
     return largest
 
 
@@ -146,12 +146,12 @@ def compare(tool, path, with_code):
         values = random.uniform(-1.5, 1.5, len(description.joints))
         chain.place(values)
         links, tool_frame = description.links(values)
-        largest = max(largest, difference_of_places(description, chain, links, tool_frame))
+        largest = np.max([largest, difference_of_places(description, chain, links, tool_frame)])
         if has_masses:
-            largest = max(largest, share(description.mass_matrix(values), chain.mass_matrix()),
-                          share(description.gravity_torque(values, FALL), chain.gravity_torque()))
+            largest = np.max([largest, share(description.mass_matrix(values), chain.mass_matrix()),
+                              share(description.gravity_torque(values, FALL), chain.gravity_torque())])
     if with_code:
-        largest = max(largest, compare_generated(path, tip, chain, has_masses))
+        largest = np.max([largest, compare_generated(path, tip, chain, has_masses)])
     return largest, has_masses, ""
 
 

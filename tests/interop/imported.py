@@ -136,7 +136,7 @@ def folders_of_packages(names):
 
 def report(peer, count, results):
     """Prints how many of `count` files were compared, and why others were not. `results`: (path, difference, has masses, why
-    not). Returns the exit code: 1 if one differs."""
+    not). Returns the exit code: 1 if one differs, or of some files none could be compared."""
     compared = [result for result in results if not result[3]]
     with_masses = sum(result[2] for result in compared)
     print(f"{count} files, {len(compared)} compared with {peer}, {with_masses} of them with masses")
@@ -148,4 +148,4 @@ def report(peer, count, results):
         print(f"{len(paths):6}  not compared: {reason}  (e.g. {paths[0]})")
     wrong = [f"{path}: differs by {difference:.3g}" for path, difference, _, _ in compared if not difference < ALLOWED]
     print("\n".join(wrong))
-    return 1 if wrong else 0
+    return 1 if wrong or (count and not compared) else 0

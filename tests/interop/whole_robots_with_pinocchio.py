@@ -66,11 +66,12 @@ def difference(robot, model):
         mass = np.triu(mass) + np.triu(mass, 1).T
         acceleration = pin.aba(model, data, at, velocity, ours(other) - friction)
         # Forces and rates of one joint stand at the same place: conversions of velocities only reorder both.
-        largest = max(largest,
-                      share(robot.inverse_dynamics(q, qd, other), theirs(force)),
-                      share(robot.gravity_torque(q), theirs(weight)),
-                      share(robot.mass_matrix(q), both(theirs, mass)),
-                      share(robot.forward_dynamics(q, qd, other), theirs(acceleration)))
+        # NaN stays NaN, which Python's max may drop.
+        largest = np.max([largest,
+                          share(robot.inverse_dynamics(q, qd, other), theirs(force)),
+                          share(robot.gravity_torque(q), theirs(weight)),
+                          share(robot.mass_matrix(q), both(theirs, mass)),
+                          share(robot.forward_dynamics(q, qd, other), theirs(acceleration))])
     return largest
 
 
