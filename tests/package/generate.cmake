@@ -72,9 +72,9 @@ if(result EQUAL 0 OR NOT output MATCHES "no tool that generates")
 endif()
 run("configuring with a tool from elsewhere" ${configure} -B ${WORK}/elsewhere -DCMAKE_PREFIX_PATH=${WORK}/runtime -DQVGEN_TOOL=${tool})
 
-# Fetched as sources: arms and linkages in C, which need no library.
+# Fetched as sources: arms and linkages in C, which need no library. A project that compiles several files as one does not do so with C.
 if(GENERATOR STREQUAL Ninja)
-  run("configuring with sources" ${configure} -B ${WORK}/fetched -DQVGEN_FOLDER=${QVGEN} -DQVGEN_TOOL=${tool})
+  run("configuring with sources" ${configure} -B ${WORK}/fetched -DCMAKE_UNITY_BUILD=ON -DQVGEN_FOLDER=${QVGEN} -DQVGEN_TOOL=${tool})
   run("building C with sources" ${CMAKE_COMMAND} --build ${WORK}/fetched --parallel 2 --target own_arms_in_c own_linkage_in_c)
   run("running C of sources" ${WORK}/fetched/own_arms_in_c 0.5)
   run("running loops in C of sources" ${WORK}/fetched/own_linkage_in_c)
