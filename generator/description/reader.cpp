@@ -164,7 +164,7 @@ ReadResult read_xml(Context& context, std::string_view text) {
   if (root && root->name == "robot") {
     mechanism = xml::read_urdf(context, *root);
   } else if (root && root->name == "mujoco") {
-    mechanism = xml::read_mjcf(context, *root);
+    if (!xml::is_part_of_model(context, *root)) mechanism = xml::read_mjcf(context, *root);
   } else if (root && root->name == "mujocoinclude") {
     if (const auto model = xml::model_of_fragment(context, *root))
       mechanism = xml::read_mjcf(context, *model);

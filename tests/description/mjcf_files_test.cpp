@@ -233,6 +233,18 @@ TEST(MjcfFiles, FragmentsNameTheModelsThatIncludeThem) {
             "includes it: @arm.xml\n");
 }
 
+TEST(MjcfFiles, ModelsWithoutBodiesNameTheModelsThatIncludeThem) {
+  const std::string shared = "<mujoco><equality><weld body1=\"a\" body2=\"b\"/></equality></mujoco>";
+  Folder files;
+  files.write("shared.xml", shared);
+  files.write("arm.xml", world("<include file=\"shared.xml\"/>"));
+  EXPECT_EQ(files.report("shared.xml"),
+            "@shared.xml:1:1: error: a <mujoco> without <worldbody> is a part of a model, for an <include>; "
+            "give a model that includes it: @arm.xml\n");
+  files.write("a/b/alone.xml", shared);
+  EXPECT_EQ(files.report("a/b/alone.xml").find("is a part of a model"), std::string::npos);
+}
+
 TEST(MjcfFiles, FragmentsMayBeIncludedFromAFolderBeside) {
   Folder files;
   files.write("parts/hand.xml", part(hand));

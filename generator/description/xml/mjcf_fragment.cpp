@@ -114,15 +114,27 @@ bool has(const Element& element, const std::vector<std::string>& names) {
                      [&](const std::string& name) { return element.child(name) != nullptr; });
 }
 
+void refuse_part(Context& context, const Element& root, const std::string& what,
+                 const std::set<fs::path>& models) {
+  context.error(
+      root.place, what + " is a part of a model, for an <include>",
+      models.empty() ? "give the model that includes it" : "give a model that includes it: " + list(models));
+}
+
 }  // namespace
+
+bool is_part_of_model(Context& context, const Element& root) {
+  if (has(root, {"worldbody", "include"})) return false;
+  const auto models = models_with(context.source.file());
+  if (!models.empty()) refuse_part(context, root, "a <mujoco> without <worldbody>", models);
+  return !models.empty();
+}
 
 std::optional<Element> model_of_fragment(Context& context, const Element& root) {
   const auto models = models_with(context.source.file());
   const bool is_body = has(root, {"joint", "freejoint", "inertial"});
   if (!models.empty() || (!is_body && !has(root, {"body", "frame", "worldbody", "replicate"}))) {
-    context.error(root.place, "<mujocoinclude> is a part of a model, for an <include>",
-                  models.empty() ? "give the model that includes it"
-                                 : "give a model that includes it: " + list(models));
+    refuse_part(context, root, "<mujocoinclude>", models);
     return std::nullopt;
   }
   context.note(root.place, "<mujocoinclude> is read as a model of its own: no file near by includes it",
