@@ -15,6 +15,7 @@
 #include "pipeline/loop_variants.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/six_rods.h"
+#include "verify/loops/driven.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
@@ -322,6 +323,24 @@ std::vector<ChainRobot> chain_robots(const model::Mechanism& mechanism) {
   return robots;
 }
 
+namespace {
+
+/// Names of driven joints that determine the mechanism, the present ones among them, with a closed form if
+/// there is one; empty if none are found.
+std::string example_of_motors(const model::Mechanism& mechanism) {
+  const auto choices = verify::driven_choices(mechanism, mechanism.loops.actuated).choices;
+  if (choices.empty()) return "";
+  const auto closed = std::find_if(choices.begin(), choices.end(), [&](const auto& joints) {
+    return derive::loops::assembly_plan(mechanism, joints).found;
+  });
+  std::vector<std::string> names;
+  for (const std::size_t joint : closed == choices.end() ? choices.front() : *closed)
+    names.push_back(mechanism.robot.joints[joint].variable);
+  return fmt::format(", for example {}", fmt::join(names, ","));
+}
+
+}  // namespace
+
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   const auto count = [](int number, const std::string& of) {
     return fmt::format("{} {}{}", number, of, number == 1 ? "" : "s");
@@ -329,8 +348,8 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   const auto driven = static_cast<int>(mechanism.loops.actuated.size());
   const auto outputs = static_cast<int>(mechanism.loops.outputs.size());
   if (driven != freedoms)
-    return fmt::format("the mechanism has {} and {}; name {} in `actuated`", count(freedoms, "freedom"),
-                       count(driven, "driven joint"), freedoms);
+    return fmt::format("the mechanism has {} and {}; name {} in `actuated`{}", count(freedoms, "freedom"),
+                       count(driven, "driven joint"), freedoms, example_of_motors(mechanism));
   if (outputs != 0 && outputs != freedoms)
     return fmt::format("the mechanism has {} and `outputs` names {}; name as many",
                        count(freedoms, "freedom"), count(outputs, "joint"));

@@ -7,6 +7,7 @@
 #include "description/tree/limbs.h"
 #include "description/tree/loops.h"
 #include "description/tree/moving_tree.h"
+#include "description/tree/rods.h"
 #include "description/tree/tree_reader.h"
 
 namespace qvgen::description::tree {
@@ -90,11 +91,11 @@ bool is_too_large(Context& context, const Nodes& nodes, std::size_t base,
 
 }  // namespace
 
-model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_t base,
-                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body,
-                                const Loops& loops) {
+model::Mechanism read_mechanism(Context& context, const Nodes& all, std::size_t base, const std::string& kind,
+                                const ReadSegment& read_any, const ReadBody& read_body, const Loops& loops) {
   model::Mechanism result;
-  const std::vector<Closure> closures = loops.any ? loops.read(nodes) : std::vector<Closure>{};
+  const auto [nodes, closures, read] =
+      loops.any ? take_rods(context, all, read_any, loops, loops.read(all)) : WithoutRods{all, {}, read_any};
   const auto& named = context.options.tips;
   const bool every = named.empty() || named == std::vector<std::string>{every_tip};
   const std::vector<std::size_t> tips =

@@ -24,15 +24,17 @@ MatrixXd motions_at(const MatrixXd& jacobian) {
   return motions.rightCols(jacobian.cols() - rank);
 }
 
-/// Goes through the sets of joints of one size, in their order.
+/// Goes through the sets of joints of one size that hold the driven ones, in their order.
 class Search {
  public:
-  Search(std::vector<MatrixXd> motions, DrivenChoices& into) : motions_(std::move(motions)), into_(into) {}
+  Search(std::vector<MatrixXd> motions, std::vector<std::size_t> driven, DrivenChoices& into)
+      : motions_(std::move(motions)), into_(into), driven_(driven), chosen_(std::move(driven)) {}
 
   void run(std::size_t from = 0) {
     if (chosen_.size() == into_.free) return add();
     for (std::size_t joint = from; into_.are_all && joint < static_cast<std::size_t>(motions_[0].rows());
          ++joint) {
+      if (std::find(driven_.begin(), driven_.end(), joint) != driven_.end()) continue;
       chosen_.push_back(joint);
       if (tells_apart()) run(joint + 1);
       chosen_.pop_back();
@@ -41,10 +43,12 @@ class Search {
 
  private:
   void add() {
-    if (into_.choices.size() == most_choices)
+    if (into_.choices.size() == most_choices) {
       into_.are_all = false;
-    else
-      into_.choices.push_back(chosen_);
+      return;
+    }
+    into_.choices.push_back(chosen_);
+    std::sort(into_.choices.back().begin(), into_.choices.back().end());
   }
 
   /// True if the chosen joints move independently of each other at some sample.
@@ -60,13 +64,13 @@ class Search {
 
   std::vector<MatrixXd> motions_;
   DrivenChoices& into_;
-  std::vector<std::size_t> chosen_;
+  std::vector<std::size_t> driven_, chosen_;
   int tried_ = 0;
 };
 
 }  // namespace
 
-DrivenChoices driven_choices(const model::Mechanism& mechanism) {
+DrivenChoices driven_choices(const model::Mechanism& mechanism, const std::vector<std::size_t>& driven) {
   DrivenChoices result;
   const LoopNumbers numbers(mechanism);
   std::vector<MatrixXd> motions;
@@ -80,7 +84,8 @@ DrivenChoices driven_choices(const model::Mechanism& mechanism) {
   // Assemblies that move less than others are not the mechanism's.
   std::erase_if(motions,
                 [&](const MatrixXd& each) { return static_cast<std::size_t>(each.cols()) != result.free; });
-  if (result.assembled && result.free > 0) Search(std::move(motions), result).run();
+  if (result.assembled && result.free > 0 && driven.size() <= result.free)
+    Search(std::move(motions), driven, result).run();
   return result;
 }
 

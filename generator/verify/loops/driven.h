@@ -20,6 +20,7 @@ struct DrivenChoices {
   bool are_all = true;                            ///< false: there are more
 };
 
-DrivenChoices driven_choices(const model::Mechanism& mechanism);
+/// `driven`: joints that every choice has.
+DrivenChoices driven_choices(const model::Mechanism& mechanism, const std::vector<std::size_t>& driven = {});
 
 }  // namespace qvgen::verify
