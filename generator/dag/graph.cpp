@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 
 #include "exact/hash.h"
 #include "exact/trigonometry.h"
@@ -179,8 +180,14 @@ Edge Graph::quotient(Edge numerator, Edge denominator) {
 }
 
 Edge Graph::root(Edge radicand) {
-  if (is_constant(radicand) && value_of(radicand).is_rational() && !radicand.negative)
-    return constant(Number::root(value_of(radicand).rational()));
+  if (is_constant(radicand) && value_of(radicand).is_rational() && !radicand.negative) {
+    try {
+      return constant(Number::root(value_of(radicand).rational()));
+    } catch (const std::domain_error&) {
+      // A radicand that is too long for an exact root, such as a rounded length of many digits, stays under
+      // it.
+    }
+  }
   return intern(Op::root, 0, 0, {radicand});
 }
 

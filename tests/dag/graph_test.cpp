@@ -74,6 +74,14 @@ TEST_F(GraphTest, CountsByTheRule) {
   EXPECT_EQ(counts({g.sum({shared, c}), g.sum({shared, -c})}), (OperationCounts{1, 2, 0, 0, 0, 0}));
 }
 
+TEST_F(GraphTest, RootsOfNumbersAreExactWhereTheyAreShort) {
+  EXPECT_EQ(g.root(g.constant(Number(cln::cl_RA(9) / 4))), g.constant(Number(cln::cl_RA(3) / 2)));
+  const cln::cl_RA rounded = cln::cl_I("12345678901234567890123456789") / cln::expt(cln::cl_I(10), 40);
+  const Edge root = g.root(g.constant(Number(rounded)));
+  EXPECT_EQ(counts({root}).roots, 1);
+  EXPECT_EQ(root, g.root(g.constant(Number(rounded))));
+}
+
 TEST_F(GraphTest, FreeSymbolsCostNothing) {
   const Edge product = g.product({g.sum({a, b}), c});
   const Function function{g, {{"o", product}}};
