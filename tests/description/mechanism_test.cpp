@@ -235,8 +235,8 @@ TEST(Mechanism, WhatCannotBeMeantIsReported) {
       told(legs, {"all"}, {"to_a", "to_b"}),
       "1:17: error: nothing moves behind trunk; a robot has at least one revolute, continuous or prismatic "
       "joint\n");
-  const std::string roots =
-      "<robot name=\"r\">" + link("x") + link("y") + link("z") + joint("x", "y") + "</robot>";
+  const std::string roots = "<robot name=\"r\">" + link("x") + link("y") + link("z") + link("w") +
+                            joint("x", "y") + joint("z", "w") + "</robot>";
   EXPECT_EQ(told(roots, {"all"}),
             "3:1: error: the links hang on more than one root: x, z; join them, or say which with --base\n");
   const std::string twice = "<robot name=\"r\">" + link("x") + link("x") + "</robot>";

@@ -207,6 +207,10 @@ TEST(Urdf, MistakesInTheTree) {
       report(robot(two + joint("j", "fixed", "b", "c") + joint("k", "fixed", "c", "b"))),
       "3:1: error: the link 'b' hangs on itself, through other links; a URDF is a tree: cut the loop\n");
   EXPECT_EQ(report(robot(two + joint("j", "continuous", "a", "b"))),
+            "4:1: warning: nothing moves behind c, apart from the other links: left out; join them to a, or "
+            "choose with --base\n");
+  EXPECT_EQ(report(robot(two + link("d") + joint("j", "continuous", "a", "b") +
+                         joint("k", "continuous", "c", "d"))),
             "4:1: error: the links hang on more than one root: a, c; join them, or say which with --base\n");
 }
 

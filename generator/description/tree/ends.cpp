@@ -16,12 +16,34 @@ std::string list(const std::vector<Node>& nodes, const std::vector<std::size_t>&
   return text;
 }
 
+/// For each node, whether something moves behind it.
+std::vector<bool> carrying(const std::vector<Node>& nodes) {
+  std::vector<bool> carries(nodes.size(), false);
+  for (const Node& node : nodes)
+    for (std::size_t before = node.moves ? node.parent : Node::none; before != Node::none && !carries[before];
+         before = nodes[before].parent)
+      carries[before] = true;
+  return carries;
+}
+
+/// The root of all links, or the only one behind which links move: the others are scenery.
 std::optional<std::size_t> only_root(Context& context, const std::vector<Node>& nodes,
                                      const std::string& kind) {
-  std::vector<std::size_t> roots;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i].parent == Node::none) roots.push_back(i);
+  const std::vector<bool> carries = carrying(nodes);
+  std::vector<std::size_t> roots, moving, others;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].parent != Node::none) continue;
+    roots.push_back(i);
+    (carries[i] ? moving : others).push_back(i);
+  }
   if (roots.size() == 1) return roots.front();
+  if (moving.size() == 1) {
+    context.warning(
+        nodes[others.front()].place,
+        "nothing moves behind " + list(nodes, others) + ", apart from the other " + kind + "s: left out",
+        "join them to " + nodes[moving.front()].name + ", or choose with --base");
+    return moving.front();
+  }
   context.error(nodes[roots[1]].place, "the " + kind + "s hang on more than one root: " + list(nodes, roots),
                 "join them, or say which with --base");
   return std::nullopt;
