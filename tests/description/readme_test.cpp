@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -9,21 +9,36 @@
 namespace qvgen::description {
 namespace {
 
-std::vector<std::string> examples() {
-  std::ifstream file(QVGEN_SOURCE_DIR "/generator/robots/README.md");
-  std::vector<std::string> blocks;
+namespace fs = std::filesystem;
+
+/// A block of TOML, and the page that has it.
+struct Example {
+  std::string page;
+  std::string text;
+};
+
+/// Pages of the reference of descriptions: the entry and those of docs/.
+std::vector<fs::path> pages() {
+  const fs::path folder = QVGEN_SOURCE_DIR "/generator/robots";
+  std::vector<fs::path> found{folder / "README.md"};
+  for (const auto& entry : fs::directory_iterator(folder / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+void append_examples(const fs::path& page, std::vector<Example>& examples) {
+  std::ifstream file(page);
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
     if (line == "```toml") {
-      blocks.emplace_back();
+      examples.push_back({page.filename().string(), ""});
       inside = true;
     } else if (line == "```") {
       inside = false;
     } else if (inside) {
-      blocks.back() += line + "\n";
+      examples.back().text += line + "\n";
     }
   }
-  return blocks;
 }
 
 /// The reference shows some parts alone; they are completed to a file.
@@ -36,11 +51,12 @@ std::string completed(std::string example) {
 }
 
 TEST(Readme, ExamplesAreRight) {
-  const auto blocks = examples();
-  EXPECT_GE(blocks.size(), 4U);
-  for (const std::string& block : blocks) {
-    const ReadResult result = read_text(completed(block), "README.md", {.strict = true});
-    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << to_string(diagnostic) << "\n" << block;
+  std::vector<Example> examples;
+  for (const fs::path& page : pages()) append_examples(page, examples);
+  EXPECT_GE(examples.size(), 15U);
+  for (const auto& [page, text] : examples) {
+    const ReadResult result = read_text(completed(text), page, {.strict = true});
+    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << to_string(diagnostic) << "\n" << text;
   }
 }
 

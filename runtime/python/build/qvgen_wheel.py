@@ -153,8 +153,9 @@ def _tool_files(tool):
     for name, path in sorted(libraries.items()):
         # The tool finds them all by itself; auditwheel looks from each library for those that it needs.
         yield f"qvgen/_tree/lib/{name}", _edited(path, "patchelf", "--force-rpath", "--set-rpath", "$ORIGIN")
-    for path in _files(ROOT / "generator/robots"):
-        yield f"qvgen/_tree/share/qvgen/robots/{path.name}", path.read_bytes()
+    robots = ROOT / "generator/robots"
+    for path in _files(robots):
+        yield f"qvgen/_tree/share/qvgen/robots/{path.relative_to(robots)}", path.read_bytes()
     for name, content in dict(_licences_of(libraries)).items():
         yield f"{info}/licenses/{name}", content
 
