@@ -222,7 +222,7 @@ def test_all_solutions_of_opencl(solved, tmp_path):
 def test_what_the_readme_shows(tmp_path, monkeypatch):
     cl = pytest.importorskip("pyopencl")
     context_of(cl)
-    lines = (pathlib.Path(__file__).resolve().parents[2] / "runtime/README.md").read_text().splitlines()
+    lines = (pathlib.Path(__file__).resolve().parents[2] / "runtime/docs/devices.md").read_text().splitlines()
     begin = next(place for place, line in enumerate(lines) if line.startswith("    import numpy as np, pyopencl"))
     end = next(place for place in range(begin, len(lines)) if not lines[place])
     subprocess.run([str(_tool.tool()), "generate", "puma560", "--only", "kinematics", "--language", "opencl", "--output",

@@ -61,8 +61,8 @@ Joints<dof> step(const Columns<dof>& jacobian, const Twist& twist, double size) 
 
 /// An arm that differs a little from an ideal one with a closed form: its axes were measured, and those that
 /// should meet or be parallel miss each other by 1e-4. All its solutions take elimination; the one next to a
-/// seed is found here from the ideal arm's, in less time (runtime/README.md, Calibrated arms). A description
-/// with `ideal = "ur5"` has it as `inverse_kinematics_from_ideal`; by hand:
+/// seed is found here from the ideal arm's, in less time (runtime/docs/inverse.md, Calibrated arms). A
+/// description with `ideal = "ur5"` has it as `inverse_kinematics_from_ideal`; by hand:
 ///
 ///     namespace ideal = qvgen::robots::ur5;
 ///     namespace mine = qvgen::robots::ur5_17;
