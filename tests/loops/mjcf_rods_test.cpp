@@ -36,7 +36,7 @@ std::string mjcf(const std::string& bodies, const std::string& equality) {
          "</equality>\n<actuator><motor joint='left'/><motor joint='right'/></actuator>\n</mujoco>\n";
 }
 
-/// What ankles of humanoids have: two cranks, each with a rod to the foot, which pitches and rolls.
+/// An ankle as humanoids have them: two cranks, each with a rod to the foot, which pitches and rolls.
 struct Ankle {
   std::string ball = "<joint name='BALL' type='ball'/>";  ///< of a rod; BALL: its name
   std::string in_rod;                                     ///< content of the left rod's body

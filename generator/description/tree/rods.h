@@ -12,7 +12,7 @@ namespace qvgen::description::tree {
 
 /// A tree without the links that are rods.
 struct WithoutRods {
-  std::vector<Node> nodes;        ///< the same indices; rods hang on no link
+  std::vector<Node> nodes;        ///< indices as before; rods hang on no link
   std::vector<Closure> closures;  ///< rods in place of the balls at their ends
   ReadSegment read;               ///< with the rods' masses, as points at their ends
 };
