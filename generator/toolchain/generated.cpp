@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace qvgen::toolchain {
@@ -44,16 +45,38 @@ Source runtime_source(const fs::path& file) {
   return {file};
 }
 
+/// Names of the archives that generated code may need, in the linker's order.
+std::vector<std::string> archive_names() {
+  std::vector<std::string> names;
+  for (const std::string library : {"certified", "arm_angle", "elimination", "inverse", "core"})
+    names.push_back("libqvgen_runtime_" + library + ".a");
+  return names;
+}
+
 fs::path archive_in(const fs::path& folder, const std::string& name) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().filename() == name) return entry.path();
   throw std::runtime_error(name + " is not in " + folder.string());
 }
 
+/// Archives of a build of the source tree, in one folder of $QVGEN_LIBRARIES, as for the Python module; none
+/// if one is missing.
+std::vector<fs::path> built_archives() {
+  const char* named = std::getenv("QVGEN_LIBRARIES");
+  std::istringstream folders(named == nullptr ? "" : named);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::vector<fs::path> archives;
+    for (const std::string& name : archive_names())
+      if (fs::exists(fs::path(folder) / name)) archives.push_back(fs::absolute(fs::path(folder) / name));
+    if (archives.size() == archive_names().size()) return archives;
+  }
+  return {};
+}
+
 }  // namespace
 
 Runtime runtime_of(const fs::path& source_tree) {
-  return {{source_tree / "runtime/include", eigen()}, source_tree / "runtime/source", {}};
+  return {{source_tree / "runtime/include", eigen()}, source_tree / "runtime/source", built_archives()};
 }
 
 Runtime runtime_in(const fs::path& prefix) {
@@ -61,8 +84,7 @@ Runtime runtime_in(const fs::path& prefix) {
     throw std::runtime_error("qvgen's headers are not in " + (prefix / "include").string() +
                              ", where the tool is installed: install the component runtime too");
   std::vector<fs::path> archives;
-  for (const std::string library : {"certified", "arm_angle", "elimination", "inverse", "core"})
-    archives.push_back(archive_in(prefix / "lib", "libqvgen_runtime_" + library + ".a"));
+  for (const std::string& name : archive_names()) archives.push_back(archive_in(prefix / "lib", name));
   return {{prefix / "include", eigen()}, {}, archives};
 }
 
@@ -82,7 +104,7 @@ Source generated_source(const fs::path& file) {
 }
 
 void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated, Program& program) {
-  if (runtime.sources.empty()) {
+  if (!runtime.archives.empty()) {
     for (const fs::path& archive : runtime.archives) program.libraries.push_back(archive.string());
     return;
   }

@@ -13,11 +13,12 @@ namespace qvgen::toolchain {
 struct Runtime {
   std::vector<std::filesystem::path> headers;   ///< folders: the runtime's, Eigen's
   std::filesystem::path sources;                ///< of the runtime; empty where it is installed as libraries
-  std::vector<std::filesystem::path> archives;  ///< those that generated code may need, in the linker's order
+  std::vector<std::filesystem::path> archives;  ///< in the linker's order; empty: the sources are compiled
 };
 
 /// Returns the runtime of a source tree, or of the prefix where the tool is installed. Eigen's folder is
-/// $QVGEN_EIGEN, or that of Debian. Throws std::runtime_error if anything is not there.
+/// $QVGEN_EIGEN, or that of Debian. Libraries of a build of the source tree are taken if all are in one
+/// folder of $QVGEN_LIBRARIES. Throws std::runtime_error if anything is not there.
 Runtime runtime_of(const std::filesystem::path& source_tree);
 Runtime runtime_in(const std::filesystem::path& prefix);
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "toolchain/build.h"
+#include "toolchain/generated.h"
 #include "toolchain/workshop.h"
 
 namespace qvgen::toolchain {
@@ -128,6 +132,70 @@ TEST(Build, CompilesKeptObjectsOnlyWhereTheirTextCommandOrCompilerChanges) {
   write_counter("1.0.1");
   EXPECT_EQ(calls_of(false), 3U);
   EXPECT_EQ(entries_in(program.kept), 10U);
+}
+
+/// The program of an arm that needs all libraries of the runtime that there are.
+Program whole_program(const Workshop& workshop) {
+  workshop.write("inverse.cpp", "#include <qvgen/inverse/elimination.h>\n");
+  Program program{cxx_compiler(), {}, {}};
+  program.folder = workshop.folder();
+  add_runtime(runtime_of(QVGEN_SOURCE_DIR), {"inverse.cpp", "arm_angle.cpp", "certified.cpp"}, program);
+  return program;
+}
+
+#if defined(__x86_64__)
+/// Options of instruction sets and contraction that a CMakeLists.txt gives a source alone, with semicolons
+/// between them.
+std::string options_in(const std::string& text, const std::string& source) {
+  const std::size_t named = text.find("(source/" + source + " PROPERTIES");
+  if (named == std::string::npos) return "";
+  const std::string before = "COMPILE_OPTIONS \"";
+  const std::size_t begin = text.find(before, named) + before.size();
+  const std::string options = text.substr(begin, text.find('"', begin) - begin);
+  return options.starts_with("-W") ? "" : options;
+}
+
+/// Tests compile no such program whole, since theirs link the libraries of the build.
+TEST(Generated, SourcesOfTheRuntimeAreCompiledAsCMakeDoes) {
+  ::unsetenv("QVGEN_LIBRARIES");
+  const fs::path runtime = fs::path(QVGEN_SOURCE_DIR) / "runtime";
+  std::ifstream stream(runtime / "CMakeLists.txt");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const Workshop workshop;
+  std::set<std::string> given;
+  int with_options = 0;
+  for (const Source& source : whole_program(workshop).sources) {
+    const std::string name = fs::relative(source.file, runtime / "source").string();
+    std::string options;
+    for (const std::string& option : source.options)
+      if (!option.starts_with("-D")) options += (options.empty() ? "" : ";") + option;
+    EXPECT_EQ(options, options_in(text, name)) << name;
+    if (!options.empty()) ++with_options;
+    given.insert(name);
+  }
+  EXPECT_EQ(with_options, 4);
+  for (const std::string folder : {"core", "inverse", "elimination", "arm_angle", "certified"})
+    for (const auto& entry : fs::directory_iterator(runtime / "source" / folder)) {
+      const std::string name = folder + "/" + entry.path().filename().string();
+      const bool is_needed = name.ends_with(".cpp") && name != "core/inverse_velocity.cpp";
+      EXPECT_EQ(given.count(name), is_needed ? 1U : 0U) << name;
+    }
+}
+#endif
+
+TEST(Generated, LibrariesOfABuildAreLinkedIfAllAreThere) {
+  const Workshop workshop;
+  ::setenv("QVGEN_LIBRARIES", ("/no/such/folder:" + workshop.folder().string()).c_str(), 1);
+  for (const std::string library : {"core", "inverse", "elimination", "arm_angle", "certified"}) {
+    const Program before = whole_program(workshop);
+    EXPECT_TRUE(before.libraries.empty() && !before.sources.empty()) << library;
+    workshop.write("libqvgen_runtime_" + library + ".a", "");
+  }
+  const Program program = whole_program(workshop);
+  ::unsetenv("QVGEN_LIBRARIES");
+  EXPECT_TRUE(program.sources.empty());
+  ASSERT_EQ(program.libraries.size(), 5U);
+  EXPECT_EQ(program.libraries.front(), (workshop.folder() / "libqvgen_runtime_certified.a").string());
 }
 
 TEST(Build, SaysWhatTheCompilerSaysAndLeavesNothing) {
