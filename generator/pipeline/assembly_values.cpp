@@ -342,6 +342,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"lengths", lengths_in(mechanism, assembly.given)},
           {"slides", slides_in(variant, assembly, "std::abs")},
           {"checks_all", !assembly.redundant.empty()},
+          {"has_all_inline", !assembly.plan.quartic()},
           {"geometry", geometry},
           {"has_geometry", !geometry.empty()},
           {"target_fields", fields_of(assembly.plan.target_kept)},

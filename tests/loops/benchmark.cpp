@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Nanoseconds a call of functions of closed loops, and of MuJoCo's constrained forward dynamics for the same
 // mechanisms in the same run; agreement at rest is checked first, and an exit status says whether there is.
+// `loops_benchmark --instructions` makes one dump of callgrind's for each function, for instructions.sh.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <random>
+#include <string>
 #include <vector>
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_ZERO_STATS
+#define CALLGRIND_DUMP_STATS_AT(name)
+#endif
 
 #include "measured.h"
 #include "mujoco_loops.h"
@@ -76,12 +85,13 @@ double difference(const reference::LoopMechanism& mechanism, MujocoLoops& peer,
   return worst;
 }
 
+/// Nanoseconds a call.
 struct Timed {
-  double assemble, inverse, rates, dynamics, peer, apart;
+  double assemble, follow, inverse, rates, dynamics, peer, apart;
 };
 
 void print(const char* name, const Timed& t) {
-  std::printf("%-14s %9.0f", name, t.assemble);
+  std::printf("%-14s %9.0f %9.0f", name, t.assemble, t.follow);
   if (t.inverse > 0)
     std::printf(" %9.0f", t.inverse);
   else
@@ -93,10 +103,30 @@ void print(const char* name, const Timed& t) {
     std::printf("\n");
 }
 
+/// How a function is measured: by the clock in so many rounds, or, without rounds, by callgrind.
+struct Meter {
+  int rounds = 0;
+
+  /// Calls `all`, which makes so many calls. Returns nanoseconds a call; 0 if callgrind counts, whose dump
+  /// has the name and the number of calls.
+  double operator()(const std::string& name, std::size_t calls, const std::function<double()>& all) const {
+    if (rounds > 0) return nanoseconds(rounds, calls, all);
+    sum += all();  // once before, for what is done at the first call only
+    [[maybe_unused]] const std::string label = name + " " + std::to_string(calls);
+    CALLGRIND_ZERO_STATS;
+    sum += all();
+    CALLGRIND_DUMP_STATS_AT(label.c_str());
+    return 0;
+  }
+};
+
+/// How far the driven joints move from one call of `follow` to the next, rad or m.
+constexpr double tick = 1e-3;
+
 /// Measures one mechanism, apart from dead centres, where accelerations grow without bound. Returns how far
 /// its accelerations are from the peer's.
 template <class Of>
-double measure(int rounds, bool with_peer) {
+double measure(const Meter& meter, bool with_peer) {
   using Driven = typename Of::Driven;
   using Joints = typename Of::Joints;
   const auto mechanism = reference::load_loops(file(Of::name));
@@ -112,25 +142,29 @@ double measure(int rounds, bool with_peer) {
     a.push_back(picked<Driven>(each, mechanism.driven));
   }
   Timed t{};
-  const auto timed = [&](const auto& call) {
+  const auto timed = [&](const char* name, const auto& call) {
     const auto all = [&] {
       double total = 0;
       for (std::size_t i = 0; i < at.size(); ++i) total += call(i);
       return total;
     };
-    return nanoseconds(rounds, at.size(), all);
+    return meter(std::string(Of::name) + " " + name, at.size(), all);
   };
-  t.assemble = timed([&](std::size_t i) { return Of::assemble(a[i])[0].q[0]; });
-  if constexpr (Of::has_inverse) t.inverse = timed([&](std::size_t i) { return Of::inverse(q[i])[0].q[0]; });
-  t.rates = timed([&](std::size_t i) { return Of::rates(q[i])(0, 0); });
+  t.assemble = timed("assemble", [&](std::size_t i) { return Of::assemble(a[i])[0].q[0]; });
+  t.follow =
+      timed("follow", [&](std::size_t i) { return Of::follow(a[i] + Driven::Constant(tick), q[i]).q[0]; });
+  if constexpr (Of::has_inverse)
+    t.inverse = timed("inverse", [&](std::size_t i) { return Of::inverse(q[i])[0].q[0]; });
+  t.rates = timed("rates", [&](std::size_t i) { return Of::rates(q[i])(0, 0); });
   const Driven force = Driven::Constant(0.7), still = Driven::Zero();
-  t.dynamics = timed([&](std::size_t i) { return Of::dynamics(q[i], still, force)[0]; });
+  t.dynamics = timed("dynamics", [&](std::size_t i) { return Of::dynamics(q[i], still, force)[0]; });
+  if (meter.rounds == 0) return 0;
   if (with_peer) {
     MujocoLoops peer(mechanism);
     t.apart = difference<Of>(mechanism, peer, at);
     VectorXd all = VectorXd::Zero(at[0].size());
     for (const Eigen::Index joint : mechanism.driven) all[joint] = 0.7;
-    t.peer = timed([&](std::size_t i) { return peer.forward(at[i], all)[0]; });
+    t.peer = timed("MuJoCo", [&](std::size_t i) { return peer.forward(at[i], all)[0]; });
   }
   print(Of::name, t);
   return t.apart;
@@ -139,13 +173,15 @@ double measure(int rounds, bool with_peer) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const int rounds = count > 1 ? std::atoi(arguments[1]) : 200;
-  std::printf("%-14s %9s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "inverse", "rates", "dynamics",
-              "MuJoCo", "ratio");
+  const bool counts = count > 1 && std::string(arguments[1]) == "--instructions";
+  const Meter meter{counts ? 0 : count > 1 ? std::atoi(arguments[1]) : 200};
+  if (!counts)
+    std::printf("%-14s %9s %9s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "follow", "inverse", "rates",
+                "dynamics", "MuJoCo", "ratio");
   double worst = 0;
-#define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(rounds, has_peer));
+#define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(meter, has_peer));
   QVGEN_MEASURED(QVGEN_MEASURE)
 #undef QVGEN_MEASURE
-  std::printf("farthest from MuJoCo's accelerations: %.1e of them (sum %g)\n", worst, sum);
+  if (!counts) std::printf("farthest from MuJoCo's accelerations: %.1e of them (sum %g)\n", worst, sum);
   return worst < 2e-3 && std::isfinite(sum) ? 0 : 1;
 }

@@ -46,6 +46,13 @@ std::vector<int> depths(const Plan& plan, bool all = true) {
   return result;
 }
 
+/// Numbers of the forks over whose values those of a plan go.
+std::vector<int> over(const Plan& plan, bool all = true) {
+  std::vector<int> result;
+  for (const EarlyFork& fork : emit::early_forks(plan, all)) result.push_back(fork.over);
+  return result;
+}
+
 TEST(EarlyForks, TheArmsOfADeltaReadNothingOfEachOther) {
   EXPECT_THAT(depths(plan_from_outputs("delta")), ElementsAre(0, 0, 0));
   EXPECT_THAT(depths(plan_from_outputs("delta"), false), ElementsAre(0, 0));
@@ -57,7 +64,8 @@ TEST(EarlyForks, TheRodsOfAnAnkleReadNothingOfEachOther) {
 
 TEST(EarlyForks, LegsOfThePlatformReadItsTurnAlone) {
   const Plan plan = plan_from_outputs("../platforms/three_rps");
-  EXPECT_THAT(depths(plan), ElementsAre(0, 1, 1, 1));
+  EXPECT_THAT(depths(plan), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(over(plan), ElementsAre(-1, 0, 0, 0));
   EXPECT_THAT(depths(plan, false), ElementsAre(1, 1));
   for (const EarlyFork& leg : emit::early_forks(plan, false)) {
     ASSERT_EQ(leg.behind.size(), 1U);  // the turn of the leg follows from its length
@@ -65,17 +73,30 @@ TEST(EarlyForks, LegsOfThePlatformReadItsTurnAlone) {
   }
 }
 
-TEST(EarlyForks, TheLastRodOfAPalletiserReadsBothOthers) {
-  EXPECT_THAT(depths(plan_from_motors("palletiser")), ElementsAre(0, 0, 2));
+TEST(EarlyForks, TheLastRodOfAPalletiserGoesOverTheOneBefore) {
+  const Plan plan = plan_from_motors("palletiser");
+  EXPECT_THAT(depths(plan), ElementsAre(0, 0, 1));
+  EXPECT_THAT(over(plan), ElementsAre(-1, -1, 1));
+  EXPECT_THAT(over(plan, false), ElementsAre(-1));
 }
 
-/// Names that steps leave in so many loops, and those of the fork itself.
+TEST(EarlyForks, TheRockerOfAnExcavatorReadsItsCylinderAlone) {
+  const Plan plan = plan_from_motors("excavator");
+  EXPECT_THAT(depths(plan), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(over(plan), ElementsAre(-1, -1, -1, 2));
+}
+
+/// Names that steps leave in so many loops, those of the fork itself, and of one over whose values it goes.
 std::set<std::string> known(const Plan& plan, const EarlyFork& fork) {
+  const std::vector<EarlyFork> all = emit::early_forks(plan, true);
   std::set<std::string> names;
   int forks = 0;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     forks += plan.steps[i].branches > 1 ? 1 : 0;
-    if (forks <= fork.depth || fork.has(i))
+    const bool is_over = std::any_of(all.begin(), all.end(), [&](const EarlyFork& each) {
+      return each.number == fork.over && each.has(i);
+    });
+    if (forks <= fork.depth || fork.has(i) || is_over)
       for (const std::string& name : derive::inverse::writes(plan.steps[i])) names.insert(name);
   }
   return names;
@@ -87,6 +108,7 @@ void expect_reads_what_is_known(const Plan& plan) {
     for (const std::string& name : derive::inverse::writes(step)) all.insert(name);
   for (const EarlyFork& fork : emit::early_forks(plan, true)) {
     EXPECT_LE(fork.depth, fork.number);
+    EXPECT_LT(fork.over, fork.number);
     const std::set<std::string> names = known(plan, fork);
     std::vector<std::size_t> steps = fork.behind;
     steps.push_back(fork.step);

@@ -31,6 +31,8 @@ class Search {
       levels_.push_back(forks_);
     }
     for (EarlyFork& fork : found_) connect(fork);
+    if (all_)
+      for (EarlyFork& fork : found_) go_over(fork);
     return found_;
   }
 
@@ -82,6 +84,22 @@ class Search {
         std::vector<std::string>& list = fork.has(i) ? fork.taken : fork.handed;
         if (!contains(list, name)) list.push_back(name);
       }
+  }
+
+  /// Lets a fork go over the values of the last fork that it reads from, if these are stored: then it needs
+  /// that one's loop no more.
+  void go_over(EarlyFork& fork) const {
+    const int last = fork.depth - 1;
+    const auto parent = std::find_if(found_.begin(), found_.end(),
+                                     [&](const EarlyFork& each) { return each.number == last; });
+    if (parent == found_.end()) return;
+    int depth = std::max(parent->depth, parent->over + 1);
+    for (const std::string& name : fork.taken)
+      if (const std::size_t writer = writer_.at(name); !parent->has(writer))
+        depth = std::max(depth, levels_[writer]);
+    if (depth > last) return;
+    fork.over = last;
+    fork.depth = depth;
   }
 
   const Plan& plan_;

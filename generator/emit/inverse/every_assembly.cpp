@@ -15,7 +15,12 @@ using ast::Expression;
 using ast::Statements;
 using Kind = Expression::Kind;
 
-/// Arrays with an entry for each sign of a fork that is solved early.
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Arrays with an entry for each sign of a fork that is solved early; of one that goes over another fork's
+/// values, with entries for both of these in each sign's place.
 class Stored {
  public:
   Stored(const derive::inverse::LoweredPlan& plan, const EarlyFork& fork) : plan_(plan), fork_(fork) {}
@@ -27,9 +32,13 @@ class Stored {
   [[nodiscard]] Expression joint(int joint) const {
     return value("q" + std::to_string(plan_.plan.places[static_cast<std::size_t>(joint)]));
   }
-  /// An array's entry for a round of a loop over signs.
-  [[nodiscard]] static Expression entry(const Expression& array, const std::string& round) {
-    return ast::entry(array, ast::name(round, {"int"}), array.type);
+  /// An array's entry for a sign, in the rounds of the loops around.
+  [[nodiscard]] Expression entry(const Expression& array, const Expression& sign) const {
+    return ast::entry(array, fork_.over < 0 ? sign : ast::sum({times(2, sign), round_of(fork_.over)}),
+                      array.type);
+  }
+  [[nodiscard]] Expression entry(const Expression& array) const {
+    return entry(array, round_of(fork_.number));
   }
   [[nodiscard]] Expression first_exists() const {
     return ast::member(ast::entry(branches(), ast::whole(0)), "exists");
@@ -43,15 +52,21 @@ class Stored {
     return all;
   }
   [[nodiscard]] Statements declared() const {
-    Statements result{ast::array({"Branch", Element::plain}, branches().text, 2)};
+    const int size = fork_.over < 0 ? 2 : 4;
+    Statements result{ast::array({"Branch", Element::plain}, branches().text, size)};
     for (const std::string& name : fork_.handed)
-      result.push_back(ast::array({"real", Element::plain}, value(name).text, 2));
+      result.push_back(ast::array({"real", Element::plain}, value(name).text, size));
     for (const int each : joints())
-      result.push_back(ast::array({"real", Element::plain}, joint(each).text, 2));
+      result.push_back(ast::array({"real", Element::plain}, joint(each).text, size));
     return result;
   }
 
  private:
+  /// The round of the loop over a fork's signs.
+  [[nodiscard]] static Expression round_of(int fork) {
+    return ast::name("k" + std::to_string(fork), {"int"});
+  }
+
   const derive::inverse::LoweredPlan& plan_;
   const EarlyFork& fork_;
 };
@@ -129,48 +144,81 @@ class EveryAssembly : public Walk {
 
   void solve_and_store(const EarlyFork& fork, const std::string& sign, const Place& at, Statements& to) {
     const Stored in = stored(fork);
-    const ast::Statement store = ast::assign(Stored::entry(in.branches(), sign), branch(at.work));
+    const auto entry = [&](const Expression& array) { return in.entry(array, ast::name(sign, {"int"})); };
+    const ast::Statement store = ast::assign(entry(in.branches()), branch(at.work));
     to.push_back(ast::evaluate(call(fork.step, at, ast::sign_of_round(sign, number_))));
     to.push_back(store);
     to.push_back(ast::guard(ast::is_not(mark(at.work, "exists")), ast::leave_loop()));
     for (const std::size_t behind : fork.behind) to.push_back(ast::evaluate(call(behind, at)));
     if (!fork.behind.empty()) to.push_back(store);
     for (const std::string& name : fork.handed)
-      to.push_back(ast::assign(Stored::entry(Stored::value(name), sign), ast::member(at.work, name)));
+      to.push_back(ast::assign(entry(Stored::value(name)), ast::member(at.work, name)));
     for (const int joint : in.joints())
-      to.push_back(ast::assign(Stored::entry(in.joint(joint), sign), joint_value(plan_, joint, at.work)));
+      to.push_back(ast::assign(entry(in.joint(joint)), joint_value(plan_, joint, at.work)));
   }
 
   void solve_side_by_side(const EarlyFork& fork, const Place& at, Statements& to) {
-    Place both = at;
-    both.work = work("both" + std::to_string(fork.number), Element::lanes);
-    to.push_back(ast::declare({"Work", Element::lanes}, both.work.text));
-    to.push_back(ast::assign(branch(both.work), ast::call(Kind::runtime, "for_both", {branch(at.work)})));
-    for (const std::string& name : fork.taken)
-      to.push_back(ast::assign(ast::member(both.work, name), ast::member(at.work, name)));
+    if (fork.over >= 0) return solve_over(fork, at, to);
+    const Place both = begin_lanes(fork, "both", at, to);
     to.push_back(ast::evaluate(call(fork.step, both, ast::sign({1, -1}, Element::lanes))));
     to.push_back(ast::guard(ast::is_not(mark(both.work, "exists")), leave(at)));
     for (const std::size_t behind : fork.behind) to.push_back(ast::evaluate(call(behind, both)));
-    store_lanes(fork, both.work, to);
+    ast::append(to, stored(fork).declared());
+    store_lanes(fork, both.work, 0, to);
   }
 
-  void store_lanes(const EarlyFork& fork, const Expression& both, Statements& to) const {
+  /// Solves a fork for both values of another one, in a lane each: first with one sign, then with the other.
+  /// Both have all but the sign in common, which compilers see.
+  void solve_over(const EarlyFork& fork, const Place& at, Statements& to) {
+    const Place both[2] = {begin_lanes(fork, "both", at, to), begin_lanes(fork, "other", at, to)};
+    for (int i = 0; i < 2; ++i) {
+      const int sign = 1 - 2 * i;
+      to.push_back(ast::evaluate(call(fork.step, both[i], ast::sign({sign, sign}, Element::lanes))));
+      for (const std::size_t behind : fork.behind) to.push_back(ast::evaluate(call(behind, both[i])));
+    }
+    ast::append(to, stored(fork).declared());
+    for (int i = 0; i < 2; ++i) store_lanes(fork, both[i].work, 2 * i, to);
+  }
+
+  /// Declares what steps in lanes work on, with the values that the fork reads.
+  Place begin_lanes(const EarlyFork& fork, const std::string& name, const Place& at, Statements& to) {
+    Place lanes = at;
+    lanes.work = work(name + std::to_string(fork.number), Element::lanes);
+    to.push_back(ast::declare({"Work", Element::lanes}, lanes.work.text));
+    to.push_back(ast::assign(branch(lanes.work), ast::call(Kind::runtime, "for_both", {branch(at.work)})));
+    for (const std::string& taken : fork.taken)
+      to.push_back(ast::assign(ast::member(lanes.work, taken), taken_value(fork, taken, at)));
+    return lanes;
+  }
+
+  /// A value that a fork reads: one for each value of the fork that it goes over, or one for all.
+  [[nodiscard]] Expression taken_value(const EarlyFork& fork, const std::string& name,
+                                       const Place& at) const {
+    const auto parent = std::find_if(early_.begin(), early_.end(),
+                                     [&](const EarlyFork& each) { return each.number == fork.over; });
+    if (parent == early_.end() || !contains(parent->handed, name)) return ast::member(at.work, name);
+    const auto entry = [&](int sign) { return stored(*parent).entry(Stored::value(name), ast::whole(sign)); };
+    return ast::call(Kind::runtime, "both_numbers", {entry(0), entry(1)});
+  }
+
+  /// Stores both lanes, from a place of the arrays on.
+  void store_lanes(const EarlyFork& fork, const Expression& lanes, int first, Statements& to) const {
     const Stored in = stored(fork);
-    ast::append(to, in.declared());
-    for (int sign = 0; sign < 2; ++sign)
-      to.push_back(ast::assign(ast::entry(in.branches(), ast::whole(sign)),
-                               ast::call(Kind::runtime, "of_sign", {branch(both), ast::whole(sign)})));
+    for (int lane = 0; lane < 2; ++lane)
+      to.push_back(ast::assign(ast::entry(in.branches(), ast::whole(first + lane)),
+                               ast::call(Kind::runtime, "of_sign", {branch(lanes), ast::whole(lane)})));
     const auto store = [&](const Expression& value, const Expression& array) {
-      to.push_back(ast::evaluate(ast::method(value, "store", {array})));
+      const Expression place = first == 0 ? array : ast::sum({array, ast::whole(first)});
+      to.push_back(ast::evaluate(ast::method(value, "store", {place})));
     };
-    for (const std::string& name : fork.handed) store(ast::member(both, name), Stored::value(name));
-    for (const int joint : in.joints()) store(joint_value(plan_, joint, both), in.joint(joint));
+    for (const std::string& name : fork.handed) store(ast::member(lanes, name), Stored::value(name));
+    for (const int joint : in.joints()) store(joint_value(plan_, joint, lanes), in.joint(joint));
   }
 
   /// The loop over a fork's signs that takes what has been stored for each.
   void loop_of_stored(const BranchNode& node, const EarlyFork& fork, const Place& at, Statements& to) {
     auto [head, in] = open(step(node.step), ast::whole(2), at, to);
-    const auto entry = [&](const Expression& array) { return Stored::entry(array, in.loop_variable); };
+    const auto entry = [&](const Expression& array) { return stored(fork).entry(array); };
     const Expression own = ast::reference(entry(stored(fork).branches()));
     head.body.push_back(
         ast::evaluate(ast::call(Kind::runtime, "join", {own, ast::reference(branch(in.work))})));
@@ -187,10 +235,9 @@ class EveryAssembly : public Walk {
   void joints(std::size_t index, const Place& at, Statements& to) override {
     const EarlyFork* fork = fork_of(index);
     if (fork == nullptr) return Walk::joints(index, at, to);
-    const std::string round = "k" + std::to_string(fork->number);
+    const Stored in = stored(*fork);
     for (const int joint : step(index).joints())
-      to.push_back(
-          ast::assign(joint_place(plan_.plan, joint), Stored::entry(stored(*fork).joint(joint), round)));
+      to.push_back(ast::assign(joint_place(plan_.plan, joint), in.entry(in.joint(joint))));
   }
 
   Signs signs_;

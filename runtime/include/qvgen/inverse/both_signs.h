@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Both signs of a fork side by side: the scalar of the steps of closed loops. A fork's two solutions share
-// all but a sign, so one pass gives both, in the registers of two doubles that every machine has. A lane has
-// the bits that a double has. Compilers without vector types take one number after the other.
+// all but a sign, so one pass gives both, in the registers of two doubles that every machine has. A fork that
+// reads another one's solutions has these in the lanes. A lane has the bits that a double has. Compilers
+// without vector types take one number after the other.
 #pragma once
 
 #include <qvgen/inverse/angles.h>
@@ -20,12 +21,15 @@ using BothSigns = simd::Lanes<double, simd::Doubles<2>>;
 using BothSigns = TwoNumbers;
 #endif
 
+/// Returns a number for each lane.
+inline BothSigns both_numbers(double first, double second) { return {first, second}; }
+
 /// Returns the branch that both signs begin on.
 inline Branch<BothSigns> for_both(const Branch<double>& branch) {
   return {branch.exists, branch.continuum, branch.doubtful, branch.unsure};
 }
 
-/// Returns the branch of one sign, 0 for 1 and 1 for -1.
+/// Returns the branch of one lane; of signs, 0 for 1 and 1 for -1.
 inline Branch<double> of_sign(const Branch<BothSigns>& both, unsigned sign) {
   const auto is_so = [sign](const Mask<BothSigns>& mask) { return (bits(mask) >> sign & 1U) != 0; };
   return {is_so(both.exists), is_so(both.continuum), is_so(both.doubtful), is_so(both.unsure)};

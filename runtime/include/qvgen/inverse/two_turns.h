@@ -219,38 +219,39 @@ bool has_one_slope(const Jet<Scalar>& at, const Scalar& h, const Scalar& fourth)
   return magnitude(at.slope) > (magnitude(at.curvature) + bend * h / Scalar(2)) * h;
 }
 
-/// True if the arc's parabola stays farther from zero than the polynomial from the parabola.
+/// How much farther the arc's parabola stays from zero than the polynomial from the parabola: where this is
+/// positive the arc has no root. Without a branch, so that loops over arcs are done in lanes.
 template <typename Scalar>
-bool has_no_root(const Jet<Scalar>& at, const Scalar& h, const Scalar& fourth, const Scalar& noise) {
-  const Scalar steep = magnitude(at.slope),
-               bend = at.value < Scalar(0) ? Scalar(-at.curvature) : at.curvature;
-  const Scalar farthest = (magnitude(at.third) + fourth * h / Scalar(4)) * (h * h * h / Scalar(6)) + noise;
-  const Scalar down = steep < bend * h ? Scalar(steep * steep / (Scalar(2) * bend))
-                                       : Scalar((steep - bend * h / Scalar(2)) * h);
-  return magnitude(at.value) - down > farthest;
+Scalar excess_of_value(const Scalar& value, const Scalar& slope, const Scalar& curvature, const Scalar& third,
+                       const Scalar& h, const Scalar& fourth, const Scalar& noise) {
+  const Scalar steep = magnitude(slope) + noise;  // never zero
+  const Scalar bend = value < Scalar(0) ? Scalar(-curvature) : curvature;
+  const Scalar farthest = (magnitude(third) + fourth * h / Scalar(4)) * (h * h * h / Scalar(6)) + noise;
+  // The parabola comes down until its slope is zero, or to the arc's end.
+  const Scalar way = steep / larger(steep, Scalar(bend * h)) * h;
+  return magnitude(value) - (steep - bend * way / Scalar(2)) * way - farthest;
 }
 
 inline constexpr int most_arcs = 1500;
-inline constexpr int arc_depths = 9;
-inline constexpr double half_of_first_arc = 0.19634954084936207;  ///< pi / 16
+inline constexpr int arc_depths = 8;
+inline constexpr double half_of_first_arc = 0.09817477042468103;  ///< pi / 32
 
 /// Cosines and sines of half of a first arc, of half of that, ...
-inline constexpr std::array<double, 10> arc_cosines = {
-    0.9807852804032304, 0.9951847266721969, 0.9987954562051724, 0.9996988186962042, 0.9999247018391445,
-    0.9999811752826011, 0.9999952938095762, 0.9999988234517019, 0.9999997058628822, 0.9999999264657179};
-inline constexpr std::array<double, 10> arc_sines = {
-    0.19509032201612825,   0.0980171403295606,    0.049067674327418015, 0.024541228522912288,
-    0.012271538285719925,  0.006135884649154475,  0.003067956762965976, 0.0015339801862847655,
-    0.0007669903187427045, 0.00038349518757139556};
+inline constexpr std::array<double, 9> arc_cosines = {
+    0.9951847266721969, 0.9987954562051724, 0.9996988186962042, 0.9999247018391445, 0.9999811752826011,
+    0.9999952938095762, 0.9999988234517019, 0.9999997058628822, 0.9999999264657179};
+inline constexpr std::array<double, 9> arc_sines = {
+    0.0980171403295606,    0.049067674327418015,  0.024541228522912288,
+    0.012271538285719925,  0.006135884649154475,  0.003067956762965976,
+    0.0015339801862847655, 0.0007669903187427045, 0.00038349518757139556};
 
-/// Halves an arc, whose middle has the jet `at`, until it has a verdict, at most `arc_depths` times. Counts
-/// `visits`, of which there are at most `most_arcs`.
+/// Halves an arc that may have a root, whose middle has the jet `at`, until it has a verdict, at most
+/// `arc_depths` times. Counts `visits`, of which there are at most `most_arcs`.
 template <typename Scalar>
 void visit_arc(const Rotor<Scalar>& middle, const Jet<Scalar>& at, const Scalar& half, int depth,
                TurnSearch<Scalar>& search) {
   if (++search.visits >= most_arcs) return;
   const Scalar h = Scalar(1.0001) * half;
-  if (has_no_root(at, h, search.fourth, search.noise)) return;
   if (has_one_slope(at, h, search.fourth)) {
     take_one_root(middle, at, half, search);
   } else if (depth > arc_depths) {
@@ -262,21 +263,35 @@ void visit_arc(const Rotor<Scalar>& middle, const Jet<Scalar>& at, const Scalar&
     const TwoJets<Scalar> jets = jets_at(search.f, left, right);
     const Jet<Scalar> first = {jets.value[0], jets.slope[0], jets.curvature[0], jets.third[0]};
     const Jet<Scalar> second = {jets.value[1], jets.slope[1], jets.curvature[1], jets.third[1]};
-    visit_arc(left, first, Scalar(half / Scalar(2)), depth + 1, search);
-    visit_arc(right, second, Scalar(half / Scalar(2)), depth + 1, search);
+    const Scalar next = half / Scalar(2), reach = Scalar(1.0001) * next;
+    std::array<Scalar, 2> excess;
+    for (std::size_t i = 0; i < 2; ++i)
+      excess[i] = excess_of_value(jets.value[i], jets.slope[i], jets.curvature[i], jets.third[i], reach,
+                                  search.fourth, search.noise);
+    if (!(excess[0] > Scalar(0))) visit_arc(left, first, next, depth + 1, search);
+    if (!(excess[1] > Scalar(0))) visit_arc(right, second, next, depth + 1, search);
   }
 }
 
-/// Visits the arcs of the whole circle.
+/// Visits the arcs of the whole circle, but for those that have no root.
 template <typename Scalar>
 void visit_circle(TurnSearch<Scalar>& search) {
   const FirstJets<Scalar> jets = first_jets(search.f);
-  for (std::size_t i = 0; i < 16; ++i) {
-    const std::size_t k = i < 8 ? i : i - 8;
-    const Scalar side = i < 8 ? Scalar(1) : Scalar(-1);
-    const Rotor<Scalar> middle = {side * Scalar(middle_cosines[k]), side * Scalar(middle_sines[k])};
-    const Jet<Scalar> at = {jets.value[i], jets.slope[i], jets.curvature[i], jets.third[i]};
-    visit_arc(middle, at, Scalar(half_of_first_arc), 1, search);
+  const Scalar h = Scalar(1.0001) * Scalar(half_of_first_arc), fourth = search.fourth, noise = search.noise;
+  std::array<Scalar, 32> excess;
+  for (std::size_t i = 0; i < 32; ++i)
+    excess[i] =
+        excess_of_value(jets.value[i], jets.slope[i], jets.curvature[i], jets.third[i], h, fourth, noise);
+  for (std::size_t i = 0; i < 32; ++i) {
+    if (!(excess[i] > Scalar(0))) {
+      const std::size_t k = i % 8;
+      const Scalar side = i < 16 ? Scalar(1) : Scalar(-1);
+      const Scalar c = side * Scalar(middle_cosines[k]), s = side * Scalar(middle_sines[k]);
+      const bool is_on = i % 16 > 7;  // by a quarter turn
+      const Rotor<Scalar> middle = {is_on ? Scalar(-s) : c, is_on ? c : s};
+      const Jet<Scalar> at = {jets.value[i], jets.slope[i], jets.curvature[i], jets.third[i]};
+      visit_arc(middle, at, Scalar(half_of_first_arc), 1, search);
+    }
   }
 }
 

@@ -186,24 +186,25 @@ TwoJets<Scalar> jets_at(const Harmonics<Scalar>& f, const Rotor<Scalar>& left, c
   return result;
 }
 
-/// Cosines and sines of the middles of the first arcs from -pi to 0; the others are across the circle.
+/// Cosines and sines of the middles of the first arcs from -pi to -pi/2; the others are quarter turns away.
 inline constexpr std::array<double, 8> middle_cosines = {
-    -0.9807852804032304, -0.8314696123025453, -0.555570233019602, -0.1950903220161282,
-    0.19509032201612833, 0.5555702330196021,  0.8314696123025453, 0.9807852804032304};
+    -0.9951847266721969, -0.9569403357322088,  -0.881921264348355,  -0.773010453362737,
+    -0.6343932841636455, -0.47139673682599764, -0.2902846772544624, -0.0980171403295606};
 inline constexpr std::array<double, 8> middle_sines = {
-    -0.1950903220161286, -0.5555702330196022, -0.8314696123025455, -0.9807852804032304,
-    -0.9807852804032304, -0.8314696123025453, -0.5555702330196021, -0.19509032201612847};
+    -0.0980171403295606, -0.2902846772544624, -0.47139673682599764, -0.6343932841636455,
+    -0.773010453362737,  -0.881921264348355,  -0.9569403357322088,  -0.9951847266721969};
 
-/// Jets at the middles of the first arcs and, behind them, across the circle.
+/// Jets at the middles of the first arcs: eight, and behind them those one, two and three quarter turns on.
 template <typename Scalar>
 struct FirstJets {
-  std::array<Scalar, 16> value;
-  std::array<Scalar, 16> slope;
-  std::array<Scalar, 16> curvature;
-  std::array<Scalar, 16> third;
+  std::array<Scalar, 32> value;
+  std::array<Scalar, 32> slope;
+  std::array<Scalar, 32> curvature;
+  std::array<Scalar, 32> third;
 };
 
-/// Across the circle odd harmonics change their signs.
+/// Across the circle odd harmonics change their signs. A quarter turn on the second harmonic changes its
+/// sign, and the others have their derivatives' places.
 template <typename Scalar>
 FirstJets<Scalar> first_jets(const Harmonics<Scalar>& f) {
   FirstJets<Scalar> result;
@@ -213,14 +214,26 @@ FirstJets<Scalar> first_jets(const Harmonics<Scalar>& f) {
                               Scalar(-4) * h.v2 - Scalar(16) * h.v4, Scalar(-8) * h.d2 - Scalar(64) * h.d4};
     const Jet<Scalar> odd = {h.v1 + h.v3, h.d1 + Scalar(3) * h.d3, -h.v1 - Scalar(9) * h.v3,
                              -h.d1 - Scalar(27) * h.d3};
+    const Jet<Scalar> even_on = {f.one + (h.v4 - h.v2), Scalar(4) * h.d4 - Scalar(2) * h.d2,
+                                 Scalar(4) * h.v2 - Scalar(16) * h.v4, Scalar(8) * h.d2 - Scalar(64) * h.d4};
+    const Jet<Scalar> odd_on = {h.d1 - h.d3, Scalar(3) * h.v3 - h.v1, Scalar(9) * h.d3 - h.d1,
+                                h.v1 - Scalar(27) * h.v3};
     result.value[i] = even.value + odd.value;
     result.slope[i] = even.slope + odd.slope;
     result.curvature[i] = even.curvature + odd.curvature;
     result.third[i] = even.third + odd.third;
-    result.value[i + 8] = even.value - odd.value;
-    result.slope[i + 8] = even.slope - odd.slope;
-    result.curvature[i + 8] = even.curvature - odd.curvature;
-    result.third[i + 8] = even.third - odd.third;
+    result.value[i + 8] = even_on.value + odd_on.value;
+    result.slope[i + 8] = even_on.slope + odd_on.slope;
+    result.curvature[i + 8] = even_on.curvature + odd_on.curvature;
+    result.third[i + 8] = even_on.third + odd_on.third;
+    result.value[i + 16] = even.value - odd.value;
+    result.slope[i + 16] = even.slope - odd.slope;
+    result.curvature[i + 16] = even.curvature - odd.curvature;
+    result.third[i + 16] = even.third - odd.third;
+    result.value[i + 24] = even_on.value - odd_on.value;
+    result.slope[i + 24] = even_on.slope - odd_on.slope;
+    result.curvature[i + 24] = even_on.curvature - odd_on.curvature;
+    result.third[i + 24] = even_on.third - odd_on.third;
   }
   return result;
 }
