@@ -76,6 +76,33 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/three_rps")).free, 3);
 }
 
+/// Two turns about one axis: a rod tells their sum, which the driven slide tells as well.
+TEST(Mobility, NamesJointsThatDrivenOnesLeaveLoose) {
+  const auto text = [](const std::string& actuated) {
+    return head(actuated) + joint("a", "") + joint("b", "") +
+           joint("s", "parent = \"base\"\norigin = [0, 1, 0]\n", "prismatic", "+x") + tip +
+           rod("s", "[0, 0, 0]", "b", "[0.5, 0, 0]", "0.8");
+  };
+  const auto slide_alone = verify::mobility_of(mechanism_of(text("\"s\"")));
+  EXPECT_EQ(slide_alone.free, 2);
+  const auto both = verify::mobility_of(mechanism_of(text("\"a\", \"s\"")));
+  EXPECT_TRUE(both.loose.empty());
+  EXPECT_EQ(slide_alone.loose, (std::vector<std::size_t>{0, 1}));
+}
+
+/// The gap of a short rod is many times the distance of its ends where these are far from each other.
+TEST(Mobility, ClosesShortRodsAmongLongOnes) {
+  for (const char* length : {"0.3", "0.05", "0.01"}) {
+    const auto mobility = verify::mobility_of(mechanism_of(
+        head("\"a\"") + joint("a", "link = [1, 0, 0]\n") +
+        joint("b", "parent = \"base\"\norigin = [2, 0, 0]\nlink = [1.2, 0, 0]\n") +
+        joint("c", "parent = \"base\"\norigin = [0.2, 2, 0]\nlink = [1.5, 0, 0]\n") + tip +
+        rod("a", "[0, 0, 0]", "b", "[0, 0, 0]", length) + rod("b", "[0, 0.3, 0]", "c", "[0, 0, 0]", "1.1")));
+    EXPECT_TRUE(mobility.assembled) << length;
+    EXPECT_EQ(mobility.free, 1) << length;
+  }
+}
+
 TEST(SixRodsOf, KnowsThePlatformWithItsEndsAsTheTipSeesThem) {
   const auto platform = verify::six_rods_of(mechanism_of_file("../platforms/stewart"));
   ASSERT_TRUE(platform);
