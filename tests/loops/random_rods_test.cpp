@@ -57,9 +57,11 @@ class Compiled {
   Compiled(const Compiled&) = delete;
   Compiled& operator=(const Compiled&) = delete;
 
-  /// Calls a function that has assemblies for values of some of `dof` joints; false if there is none.
-  bool has(const std::string& function) const { return ::dlsym(library_, function.c_str()) != nullptr; }
-  Set solve(const std::string& function, const VectorXd& values, Eigen::Index dof) const {
+  [[nodiscard]] bool has(const std::string& function) const {
+    return ::dlsym(library_, function.c_str()) != nullptr;
+  }
+  /// Calls a function that has the assemblies of `dof` joints for values of some.
+  [[nodiscard]] Set solve(const std::string& function, const VectorXd& values, Eigen::Index dof) const {
     using Solve = int(const double*, const double*, const double*, int, double*, int*, int*, int*, int*);
     const auto call = reinterpret_cast<Solve*>(::dlsym(library_, function.c_str()));
     const int room = *static_cast<const int*>(::dlsym(library_, (function + "_capacity").c_str()));
