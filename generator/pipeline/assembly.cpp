@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string>& reasons) {
 void check_number_of_motors(const model::Mechanism& mechanism) {
   const verify::Mobility mobility = verify::mobility_of(mechanism);
   if (!mobility.assembled) throw std::domain_error(joined(verify::text_of(mobility, mechanism)));
-  const std::string problem = problem_of_motors(mechanism, mobility.free);
+  const std::string problem = problem_of_motors(mechanism, mobility);
   if (!problem.empty()) throw std::domain_error(problem);
 }
 
@@ -341,7 +341,8 @@ std::string example_of_motors(const model::Mechanism& mechanism) {
 
 }  // namespace
 
-std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
+std::string problem_of_motors(const model::Mechanism& mechanism, const verify::Mobility& mobility) {
+  const int freedoms = mobility.free;
   const auto count = [](int number, const std::string& of) {
     return fmt::format("{} {}{}", number, of, number == 1 ? "" : "s");
   };
@@ -353,6 +354,11 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   if (outputs != 0 && outputs != freedoms)
     return fmt::format("the mechanism has {} and `outputs` names {}; name as many",
                        count(freedoms, "freedom"), count(outputs, "joint"));
+  if (!mobility.loose.empty())
+    return fmt::format(
+        "{} move although the driven joints stand still; name one of them in `actuated`, in place of another "
+        "joint",
+        described_names(mechanism.robot, mobility.loose));
   return "";
 }
 

@@ -9,14 +9,16 @@
 #include "derive/loops/assembly_plan.h"
 #include "pipeline/language.h"
 #include "pipeline/robot_output.h"
+#include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
 
 /// Each unknown of a plan with its equation, a line a step.
 std::vector<std::string> step_lines(const model::Robot& described, const derive::inverse::Plan& plan);
 
-/// Says why the numbers of driven joints and of outputs do not fit so many freedoms; empty if they do.
-std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
+/// Says why the driven joints and the outputs do not fit the freedoms: they are more or fewer, or the driven
+/// ones leave others loose; empty if they fit.
+std::string problem_of_motors(const model::Mechanism& mechanism, const verify::Mobility& mobility);
 
 /// Outputs of the robots that a mechanism with loops calls.
 struct PartsOfLoops {

@@ -78,7 +78,7 @@ LoopLines loop_lines(const model::Mechanism& mechanism, bool steps) {
     return result;
   }
   result.lines = text;
-  if (const std::string problem = problem_of_motors(mechanism, mobility.free); !problem.empty())
+  if (const std::string problem = problem_of_motors(mechanism, mobility); !problem.empty())
     result.problems.push_back(problem);
   for (const LoopVariant& variant : loop_variants(mechanism.loops))
     add_plan(mechanism, variant, steps, false, result);

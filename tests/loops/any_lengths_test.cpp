@@ -73,6 +73,7 @@ QVGEN_LINKAGES_TEST(PlatformsOnCylinders, planar_3rpr, assemble, driven)
 QVGEN_LINKAGES_TEST(PlatformsOnCylindersFromTheirPlaces, planar_3rpr, assemble_from_outputs, outputs)
 QVGEN_LINKAGES_TEST(PlatformsOnSwingingLegs, three_rps, assemble_from_outputs, outputs)
 QVGEN_LINKAGES_TEST(CylindricalLoops, rccc, assemble, driven)
+QVGEN_LINKAGES_TEST(CylindricalLoopsFromTheirEnds, rccc, assemble_from_outputs, outputs)
 QVGEN_LINKAGES_TEST(WeldedTurns, seven_turns, assemble, driven)
 QVGEN_LINKAGES_TEST(GoughStewartPlatforms, stewart, assemble_from_outputs, outputs)
 

@@ -76,6 +76,20 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/three_rps")).free, 3);
 }
 
+/// Two turns about one axis: a rod tells their sum, which the driven slide tells as well.
+TEST(Mobility, NamesJointsThatDrivenOnesLeaveLoose) {
+  const auto text = [](const std::string& actuated) {
+    return head(actuated) + joint("a", "") + joint("b", "") +
+           joint("s", "parent = \"base\"\norigin = [0, 1, 0]\n", "prismatic", "+x") + tip +
+           rod("s", "[0, 0, 0]", "b", "[0.5, 0, 0]", "0.8");
+  };
+  const auto slide_alone = verify::mobility_of(mechanism_of(text("\"s\"")));
+  EXPECT_EQ(slide_alone.free, 2);
+  const auto both = verify::mobility_of(mechanism_of(text("\"a\", \"s\"")));
+  EXPECT_TRUE(both.loose.empty());
+  EXPECT_EQ(slide_alone.loose, (std::vector<std::size_t>{0, 1}));
+}
+
 TEST(SixRodsOf, KnowsThePlatformWithItsEndsAsTheTipSeesThem) {
   const auto platform = verify::six_rods_of(mechanism_of_file("../platforms/stewart"));
   ASSERT_TRUE(platform);
@@ -141,6 +155,24 @@ TEST(AssemblyPlan, RefusesWhatItCannotDeriveWithTheReason) {
                               joint("loose", "") + joint("b", "parent = \"base\"\norigin = [1, 0, 0]\n") +
                               tip + pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
       HasSubstr("joint loose is on no loop and is not driven"));
+}
+
+/// A slide on a line that is parallel to another one's: its root reads nothing of that, and its value does.
+/// The value is read behind the next fork alone, and stays with its root.
+TEST(AssemblyPlan, ReadsResultsOfAStepWithinItAlone) {
+  const std::string on_base = "parent = \"base\"\n";
+  const auto mechanism = mechanism_of(head("\"a\"") + joint("a", "", "prismatic", "-y") +
+                                      joint("b", on_base + "origin = [0.1, 0.2, 0]\n", "prismatic", "+x") +
+                                      joint("c", on_base + "origin = [0.2, 0.5, 0]\n", "prismatic", "+x") +
+                                      joint("d", on_base + "origin = [1, 1, 0]\nlink = [0.5, 0.1, 0]\n") +
+                                      tip + rod("a", "[0, 0, 0]", "b", "[0, 0, 0]", "0.8") +
+                                      rod("b", "[0, 0, 0]", "c", "[0, 0, 0]", "0.9") +
+                                      rod("d", "[0, 0, 0]", "c", "[0, 0, 0]", "1.1"));
+  const auto plan = derive::loops::assembly_plan(mechanism, {0}).plan;
+  ASSERT_EQ(plan.steps.size(), 3U);
+  for (const auto& step : plan.steps)
+    for (const std::string& name : step.before.reads())
+      EXPECT_EQ(name.find("result"), std::string::npos) << step.unknown << " reads " << name;
 }
 
 TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {

@@ -304,7 +304,9 @@ class Search {
              " are open; drive all but one of them";
     if (is_rigid_in_space(cycle(i))) {
       const std::string reason = chain_of(mechanism_, cycle(i), known()).reason;
-      return head + (reason.empty() ? "in space it is derived from the driven joints alone" : reason);
+      return head + (reason.empty()
+                         ? "in space it is derived from the driven joints and from the outputs alone"
+                         : reason);
     }
     if (!cycle(i).normal)
       return head +
@@ -384,8 +386,7 @@ AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<
   inverse::Scope scope = scope_of(assembly.robot, mechanism.loops);
   assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
   assembly.geared = geared_by(assembly.cycles, given);
-  if (given == mechanism.loops.actuated)
-    assembly.chains = chains_of(mechanism, assembly.cycles, assembly.told());
+  assembly.chains = chains_of(mechanism, assembly.cycles, given);
   inverse::Builder builder(assembly.robot, scope, assembly.plan);
   for (const std::size_t joint : assembly.known()) give(assembly.plan, scope, assembly.robot, joint);
   scope.rename(assembly.plan.target, names::size_square, size_square(assembly));

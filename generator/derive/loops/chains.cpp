@@ -148,13 +148,14 @@ void go_aside(const model::Robot& whole, LoopChain& loop) {
   for (model::Robot* robot : {&loop.chain, &loop.rest}) robot->tool = model::compose(robot->tool, aside);
 }
 
-LoopChain chain_of(const model::Robot& whole, const Cycle& cycle, const Parted& ring) {
+LoopChain chain_of(const model::Robot& whole, const Cycle& cycle, const Parted& ring,
+                   const std::string& way) {
   const auto middle = ring.links.begin() + static_cast<std::ptrdiff_t>(ring.unknown);
   const std::vector<Link> held(ring.links.begin(), middle);
   std::vector<Link> rest(middle, ring.links.end());
   std::reverse(rest.begin(), rest.end());
   for (Link& link : rest) link.moves = turned_back(link.moves);
-  const std::string loop = "loop_" + std::to_string(cycle.number);
+  const std::string loop = "loop_" + std::to_string(cycle.number) + way;
   const std::string title = "loop " + std::to_string(cycle.number);
   LoopChain result;
   result.cycle = cycle.number - 1;
@@ -166,16 +167,9 @@ LoopChain chain_of(const model::Robot& whole, const Cycle& cycle, const Parted& 
   return result;
 }
 
-}  // namespace
-
-Joints LoopChain::held() const {
-  Joints result;
-  for (const auto& joint : joints)
-    if (joint) result.push_back(*joint);
-  return result;
-}
-
-ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle, const Joints& known) {
+/// `way`: end of the chain's name, for the joints that are given.
+ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle, const Joints& known,
+                       const std::string& way) {
   Joints open = cycle.joints();
   std::erase_if(open, [&](std::size_t joint) { return contains(known, joint); });
   const bool slides = cycle.type == model::LoopType::slide;
@@ -193,12 +187,15 @@ ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle, co
     return {{},
             "joints with values are between those that its " + kind + " holds, " + names_of(mechanism, open) +
                 "; drive joints that follow each other around the loop"};
-  return {chain_of(mechanism.robot, cycle, ring), ""};
+  return {chain_of(mechanism.robot, cycle, ring, way), ""};
 }
 
-std::vector<LoopChain> chains_of(const model::Mechanism& mechanism, const std::vector<Cycle>& cycles,
-                                 Joints known) {
+/// The chains from given joints on, and from those that gears lead by these.
+std::vector<LoopChain> chains_from(const model::Mechanism& mechanism, const std::vector<Cycle>& cycles,
+                                   const Joints& given, const std::string& way) {
   std::vector<LoopChain> chains;
+  Joints known = given;
+  for (const Geared& geared : geared_by(cycles, given)) known.push_back(geared.joint);
   std::vector<bool> is_closed(cycles.size(), false);
   for (bool found = true; found;) {
     found = false;
@@ -207,13 +204,44 @@ std::vector<LoopChain> chains_of(const model::Mechanism& mechanism, const std::v
       const Joints joints = cycles[i].joints();
       is_closed[i] = std::all_of(joints.begin(), joints.end(), [&](auto j) { return contains(known, j); });
       if (is_closed[i]) continue;
-      const auto chain = chain_of(mechanism, cycles[i], known).chain;
+      const auto chain = chain_of(mechanism, cycles[i], known, way).chain;
       if (!chain) continue;
       chains.push_back(*chain);
       for (const std::size_t joint : chain->held()) known.push_back(joint);
       found = is_closed[i] = true;
     }
   }
+  return chains;
+}
+
+bool are_alike(const LoopChain& a, const LoopChain& b) {
+  return a.cycle == b.cycle && a.joints == b.joints && a.rest_joints == b.rest_joints;
+}
+
+}  // namespace
+
+Joints LoopChain::held() const {
+  Joints result;
+  for (const auto& joint : joints)
+    if (joint) result.push_back(*joint);
+  return result;
+}
+
+ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle, const Joints& known) {
+  return chain_of(mechanism, cycle, known, "");
+}
+
+std::vector<LoopChain> chains_of(const model::Mechanism& mechanism, const std::vector<Cycle>& cycles,
+                                 const Joints& given) {
+  const model::Loops& loops = mechanism.loops;
+  const bool are_driven = given == loops.actuated;
+  if (!are_driven && given != loops.outputs) return {};
+  const auto from_motors = chains_from(mechanism, cycles, loops.actuated, "");
+  if (are_driven) return from_motors;
+  auto chains = chains_from(mechanism, cycles, given, "_from_outputs");
+  for (LoopChain& each : chains)
+    for (const LoopChain& other : from_motors)
+      if (are_alike(each, other)) each = other;
   return chains;
 }
 
@@ -226,9 +254,13 @@ std::vector<LoopChain> chains_of(const model::Mechanism& mechanism) {
   try {
     const model::Robot robot = with_named_angles(model::with_private_names(mechanism.robot));
     const auto cycles = cycles_of(mechanism, robot, scope_of(robot, mechanism.loops));
-    Joints known = mechanism.loops.actuated;
-    for (const Geared& geared : geared_by(cycles, known)) known.push_back(geared.joint);
-    return chains_of(mechanism, cycles, known);
+    auto chains = chains_of(mechanism, cycles, mechanism.loops.actuated);
+    if (mechanism.loops.outputs.empty()) return chains;
+    for (LoopChain& each : chains_of(mechanism, cycles, mechanism.loops.outputs))
+      if (std::none_of(chains.begin(), chains.end(),
+                       [&](const LoopChain& other) { return other.chain.name == each.chain.name; }))
+        chains.push_back(std::move(each));
+    return chains;
   } catch (const std::domain_error&) {
     return {};  // the assembly says why
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Welds and slides in space as inverse kinematics. A loop is a ring of joints. Those that it holds are a
 // chain, and the joints whose values are known lead from the chain's beginning to its end along the rest of
-// the ring: so they tell the pose that the chain has to reach. A slide is one more joint of the chain.
+// the ring: so they tell the pose that the chain has to reach. A slide is one more joint of the chain. From
+// motors and from outputs a loop is two chains each, unless it holds the same joints both ways.
 #pragma once
 
 #include <optional>
@@ -35,10 +36,12 @@ struct ChainOrReason {
 ChainOrReason chain_of(const model::Mechanism& mechanism, const Cycle& cycle,
                        const std::vector<std::size_t>& known);
 
-/// Returns the loops that are solved so, one after the other, from given joints on.
+/// Returns the loops that are solved so, one after the other, from given joints on: the driven ones or the
+/// outputs. From others none is.
 std::vector<LoopChain> chains_of(const model::Mechanism& mechanism, const std::vector<Cycle>& cycles,
-                                 std::vector<std::size_t> known);
-/// Likewise from the driven joints; nothing for a mechanism whose loops cannot be read.
+                                 const std::vector<std::size_t>& given);
+/// Returns those from the driven joints and those from the outputs, each chain once; nothing for a mechanism
+/// whose loops cannot be read.
 std::vector<LoopChain> chains_of(const model::Mechanism& mechanism);
 
 }  // namespace qvgen::derive::loops

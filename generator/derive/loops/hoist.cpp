@@ -2,6 +2,7 @@
 #include "derive/loops/hoist.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -30,6 +31,10 @@ bool is_joint(const Plan& plan, const std::string& name) {
   });
 }
 
+/// Names that the results of a step have within it alone.
+constexpr std::array<const char*, 5> results{names::cosine_result, names::sine_result, names::result,
+                                             names::result_1, names::result_2};
+
 class Hoist {
  public:
   explicit Hoist(Plan& plan) : plan_(plan) {}
@@ -53,9 +58,7 @@ class Hoist {
 
   void move_from(std::size_t index) {
     const std::size_t own = index + 1;
-    for (const char* result :
-         {names::cosine_result, names::sine_result, names::result, names::result_1, names::result_2})
-      places_[result] = own;
+    for (const char* result : results) places_[result] = own;
     const Program before = plan_.steps[index].after;
     Program rest;
     for (const Program::Step& each : before.steps()) {
@@ -84,6 +87,11 @@ std::set<std::string> reads_of(const Program::Step& value) {
   Program alone;
   alone.output("value", value.value);
   return alone.reads();
+}
+
+bool reads_a_result(const Program::Step& value) {
+  const std::set<std::string> read = reads_of(value);
+  return std::any_of(results.begin(), results.end(), [&](const char* name) { return read.count(name) > 0; });
 }
 
 /// The part of a program that computes some of its values.
@@ -174,6 +182,7 @@ class Wait {
     for (std::size_t k = values.size(); k-- > 0;) {
       const Program::Step value = values[k];
       if (is_joint(plan_, value.name.get_name()) || forks_in({value.name.get_name()}) <= forks) continue;
+      if (reads_a_result(value)) continue;
       if (std::any_of(values.begin(), values.end(),
                       [&](const Program::Step& other) { return is_in(value, reads_of(other)); }))
         continue;

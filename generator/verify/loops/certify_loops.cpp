@@ -12,6 +12,7 @@
 #include "verify/certificate.h"
 #include "verify/inverse/execute.h"
 #include "verify/loops/mobility.h"
+#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -65,6 +66,19 @@ double difference(const model::Robot& robot, const std::vector<Real>& row, const
   return worst;
 }
 
+/// True if given joints hardly hold the others: next to a dead centre, to which Newton's steps are drawn
+/// where a rod is out of reach, samples in double have half of their digits.
+bool is_blurred(const LoopNumbers& numbers, const AssemblyPlan& assembly, const Eigen::VectorXd& q) {
+  constexpr double share = 1e-5;
+  const Eigen::MatrixXd jacobian = numbers.jacobian(q);
+  Eigen::MatrixXd by(jacobian.rows(), static_cast<Eigen::Index>(assembly.passive.size()));
+  for (std::size_t i = 0; i < assembly.passive.size(); ++i)
+    by.col(static_cast<Eigen::Index>(i)) = jacobian.col(static_cast<Eigen::Index>(assembly.passive[i]));
+  if (by.size() == 0) return false;
+  const Eigen::VectorXd values = singular_values(by);
+  return values.minCoeff() < share * values[0];
+}
+
 }  // namespace
 
 std::string LoopCertificate::text() const {
@@ -84,11 +98,12 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
   std::size_t first = 0;
   for (const derive::loops::LoopChain& chain : assembly.chains)
     first += std::min(derive::loops::rows_of(assembly.cycles[chain.cycle]), chain.held().size());
-  for (int k = 0; k < inputs; ++k) {
+  for (int k = 0; certificate.inputs < inputs; ++k) {
     const auto q = numbers.assembled(static_cast<unsigned>(k + 1));
     if (!q)
       throw std::domain_error(
           "no joint values were found at which all loops close; correct lengths or points");
+    if (k < 8 * inputs && is_blurred(numbers, assembly, *q)) continue;
     Values values = geometry_of(assembly);
     std::vector<std::size_t> sampled_joints = assembly.given;
     for (const derive::loops::LoopChain& chain : assembly.chains)

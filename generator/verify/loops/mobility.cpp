@@ -96,6 +96,19 @@ std::vector<std::size_t> still_in(const MatrixXd& jacobian) {
   return result;
 }
 
+/// Joints that move in the motions that the loops allow while others are held.
+std::vector<std::size_t> loose_in(const MatrixXd& jacobian, const std::vector<std::size_t>& held) {
+  MatrixXd rows = MatrixXd::Zero(jacobian.rows() + static_cast<Eigen::Index>(held.size()), jacobian.cols());
+  rows.topRows(jacobian.rows()) = jacobian;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    rows(jacobian.rows() + static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(held[i])) = 1;
+  const std::vector<std::size_t> still = still_in(rows);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(jacobian.cols()); ++i)
+    if (!std::binary_search(still.begin(), still.end(), i)) result.push_back(i);
+  return result;
+}
+
 std::vector<std::size_t> in_both(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
   std::vector<std::size_t> result;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
@@ -106,6 +119,9 @@ std::vector<std::size_t> in_both(const std::vector<std::size_t>& a, const std::v
 std::size_t angles_of(const derive::loops::Cycle& cycle) {
   return cycle.directions.size() + (cycle.gear.empty() ? 0 : 1);
 }
+
+/// Distance of a rod's ends by its gap, (distance^2 - length^2) / 2 length.
+double ends_apart(double length, double gap) { return std::sqrt(std::max(length * (length + 2 * gap), 0.0)); }
 
 std::string count_of(int count, const std::string& of) {
   return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
@@ -123,10 +139,15 @@ LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
   jacobian_ = lowered(constraints.jacobian);
   for (const auto& cycle : cycles) {
     loop_of_row_.insert(loop_of_row_.end(), derive::loops::rows_of(cycle), cycle.number - 1);
-    stretches_.resize(loop_of_row_.size(), cycle.length_joint.has_value());
+    rods_.resize(loop_of_row_.size());
     are_lengths_.resize(loop_of_row_.size() - angles_of(cycle), true);
     are_lengths_.resize(loop_of_row_.size(), false);
-    if (cycle.length_joint) lengths_.push_back(*cycle.length_joint);
+    if (cycle.type != model::LoopType::rod) continue;
+    if (cycle.length_joint)
+      rods_.back().joint = static_cast<Eigen::Index>(*cycle.length_joint);
+    else
+      rods_.back().length = model::to_double(model::evaluate(
+          mechanism.loops.closures[cycle.number - 1].length, model::sample_geometry(mechanism.robot)));
   }
   size_ = 1e-3;
   std::mt19937 random(1);
@@ -135,12 +156,16 @@ LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (robot_.joints[static_cast<std::size_t>(i)].type == model::JointType::revolute)
         q[i] = static_cast<double>(random() % 6283) / 1000;
-    for (const std::size_t length : lengths_) q[static_cast<Eigen::Index>(length)] = 1;
+    for (const Rod& rod : rods_)
+      if (rod.joint) q[*rod.joint] = 1;
     const VectorXd gap = gaps(q);
-    for (Eigen::Index row = 0; row < gap.size(); ++row)
-      if (are_lengths_[static_cast<std::size_t>(row)])
-        size_ = std::max(size_, stretches_[static_cast<std::size_t>(row)] ? std::sqrt(1 + 2 * gap[row])
-                                                                          : std::abs(gap[row]));
+    for (Eigen::Index row = 0; row < gap.size(); ++row) {
+      if (!are_lengths_[static_cast<std::size_t>(row)]) continue;
+      const Rod& rod = rods_[static_cast<std::size_t>(row)];
+      const double length = rod_length(row, q), apart = ends_apart(length, gap[row]);
+      const double wide = std::abs(gap[row]);  // far more than the distance if the rod is short
+      size_ = std::max(size_, rod.joint ? apart : length > 0 ? std::min(wide, apart) : wide);
+    }
   }
 }
 
@@ -177,12 +202,19 @@ MatrixXd LoopNumbers::jacobian(const VectorXd& q) const {
 
 std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
   for (int step = 0; step < most_steps; ++step) {
-    const VectorXd off = gaps(q);
+    VectorXd off = gaps(q);
     if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
     if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return with_lengths_above_zero(q);
+    MatrixXd by = jacobian(q);
+    // The gap of a short rod grows with the square of its ends' distance: it shall not outweigh all others.
+    for (Eigen::Index row = 0; row < off.size(); ++row) {
+      const double length = rod_length(row, q), share = std::abs(length) / ends_apart(length, off[row]);
+      if (!(share < 1) || share == 0) continue;
+      off[row] *= share;
+      by.row(row) *= share;
+    }
     // Damped by the gap: where redundant equations agree on a whole path, they shall not draw along it to its
     // end.
-    const MatrixXd by = jacobian(q);
     MatrixXd square = by * by.transpose();
     square.diagonal().array() += off.norm() * size_;
     VectorXd way = by.transpose() * square.ldlt().solve(off);
@@ -195,9 +227,14 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
 }
 
 VectorXd LoopNumbers::with_lengths_above_zero(VectorXd q) const {
-  for (const std::size_t length : lengths_)
-    q[static_cast<Eigen::Index>(length)] = std::abs(q[static_cast<Eigen::Index>(length)]);
+  for (const Rod& rod : rods_)
+    if (rod.joint) q[*rod.joint] = std::abs(q[*rod.joint]);
   return q;
+}
+
+double LoopNumbers::rod_length(Eigen::Index row, const VectorXd& q) const {
+  const Rod& rod = rods_[static_cast<std::size_t>(row)];
+  return rod.joint ? q[*rod.joint] : rod.length;
 }
 
 std::optional<VectorXd> LoopNumbers::assembled(unsigned seed) const {
@@ -229,12 +266,14 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
     const int free = result.joints - rank_of(jacobian);
     const auto redundant = redundant_in(jacobian, numbers.loop_of_row());
     const auto still = still_in(jacobian);
+    const auto loose = loose_in(jacobian, mechanism.loops.actuated);
     // Assemblies may be of several kinds, some of which do not move: those that move most count.
     if (result.assembled && free < result.free) continue;
     const bool is_first = !result.assembled || free > result.free;
     result.free = free;
     result.redundant = is_first ? redundant : in_both(result.redundant, redundant);
     result.still = is_first ? still : in_both(result.still, still);
+    result.loose = is_first ? loose : in_both(result.loose, loose);
     result.assembled = true;
   }
   return result;

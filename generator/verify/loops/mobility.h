@@ -36,14 +36,20 @@ class LoopNumbers {
   [[nodiscard]] std::optional<Eigen::VectorXd> closed_from(Eigen::VectorXd q) const;
   /// A rod's equation has the square of its length.
   [[nodiscard]] Eigen::VectorXd with_lengths_above_zero(Eigen::VectorXd q) const;
+  /// Length of the rod that a row is the gap of, m; 0: of none.
+  [[nodiscard]] double rod_length(Eigen::Index row, const Eigen::VectorXd& q) const;
 
   model::Robot robot_;
   model::Bindings geometry_;
   dag::Function gap_, jacobian_;
   std::vector<std::size_t> loop_of_row_;
-  std::vector<std::size_t> lengths_;  ///< slides whose values are lengths of rods
-  std::vector<bool> stretches_;       ///< for each row: it is the gap of such a rod
-  std::vector<bool> are_lengths_;     ///< for each row: it is no angle
+  /// A rod's length, or the slide whose value it is.
+  struct Rod {
+    double length = 0;
+    std::optional<Eigen::Index> joint;
+  };
+  std::vector<Rod> rods_;          ///< for each row
+  std::vector<bool> are_lengths_;  ///< for each row: it is no angle
   double size_ = 1;
 };
 
@@ -55,6 +61,7 @@ struct Mobility {
   int free = 0;
   std::vector<std::size_t> redundant;  ///< loops that hold nothing more than those before them
   std::vector<std::size_t> still;      ///< joints that never move
+  std::vector<std::size_t> loose;      ///< joints that move although the driven ones stand still
 };
 
 Mobility mobility_of(const model::Mechanism& mechanism);
