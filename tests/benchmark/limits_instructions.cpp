@@ -55,8 +55,8 @@ void add(const Found& found, Sums& sums) {
   sums.rows += rows;
 }
 
-constexpr const char* calls[] = {"all",         "seed",   "seed_limits", "nearest", "near",
-                                 "near_limits", "limits", "wide",        "turns",   "visits"};
+constexpr const char* calls[] = {"all",         "seed",   "seed_limits", "seed_wide", "nearest", "near",
+                                 "near_limits", "limits", "wide",        "turns",     "visits"};
 
 // The arm of a namespace `arm`, a type that has its functions, with limits of half a turn and a little less,
 // as most arms have them, and of a whole turn to either side.
@@ -110,8 +110,9 @@ Sums summed(const std::vector<Query>& all, const Call& call) {
 }
 
 /// One call for each query, all rows read, but for `nearest`, which is `seed_limits` with its first row read:
-/// how many rows there are is not guessed by the processor. `wide`: rows within the wide limits, counted;
-/// `turns`: every representative visited, `visits`: by `for_each`.
+/// how many rows there are is not guessed by the processor. `seed_wide`: `seed_limits` within the wide
+/// limits; `wide`: rows within these, counted; `turns`: every representative visited, `visits`: by
+/// `for_each`.
 template <class Arm>
 Sums run(const std::string& call, const std::vector<Query>& all) {
   const Limits narrow = Arm::narrow(), wide = Arm::wide();
@@ -119,6 +120,8 @@ Sums run(const std::string& call, const std::vector<Query>& all) {
   if (call == "seed") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed); });
   if (call == "seed_limits")
     return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed, narrow); });
+  if (call == "seed_wide")
+    return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed, wide); });
   if (call == "nearest") {
     Sums sums;
     for (const Query& query : all)

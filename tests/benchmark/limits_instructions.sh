@@ -11,7 +11,7 @@ trap 'rm -r "$folder"' EXIT
 
 printf '%-14s%-14s%14s%14s\n' arm call instructions 'rows a pose'
 for arm in irb6640 puma560 ur5 bevel_arm nested_wrist; do
-  for call in all seed seed_limits nearest near near_limits limits wide turns visits; do
+  for call in all seed seed_limits seed_wide nearest near near_limits limits wide turns visits; do
     rows=$(valgrind --tool=callgrind --toggle-collect='*run<*' --callgrind-out-file="$folder/out" \
       --log-file="$folder/log" "$1" "$arm" "$call" "$poses")
     total=$(sed -n 's/.*Collected : //p' "$folder/log")

@@ -27,6 +27,18 @@ using Bounds = JointLimits<dof>;
 
 using Rows = Solutions<dof, 4>;
 
+template <class Scalar>
+using JointsOf = Eigen::Matrix<Scalar, dof, 1>;
+
+template <int rows, class Scalar>
+Eigen::Matrix<Scalar, rows, 1> product(const Eigen::Matrix<double, rows, dof>& matrix,
+                                       const JointsOf<Scalar>& vector) {
+  Eigen::Matrix<Scalar, rows, 1> result;
+  for (int i = 0; i < rows; ++i)
+    result[i] = matrix(i, 0) * vector[0] + matrix(i, 1) * vector[1] + matrix(i, 2) * vector[2];
+  return result;
+}
+
 /// Relations as generated code has them, of the arm that was drawn last.
 template <int bounded_>
 struct DrawnMap {
@@ -35,11 +47,17 @@ struct DrawnMap {
   static inline std::array<double, bounded> own_lower, own_upper;
   static inline MotorTurns<bounded> turns;
   static inline Eigen::Matrix<double, bounded, dof> matrix;
-  static Eigen::Matrix<double, bounded, 1> values(const Vector& motors) { return matrix * motors; }
+  template <class Scalar>
+  static Eigen::Matrix<Scalar, bounded, 1> values(const JointsOf<Scalar>& motors) {
+    return product(matrix, motors);
+  }
   static inline Eigen::Matrix3d by_motors, by_joints;
   static constexpr std::array<bool, dof> is_revolute{true, true, true};
   static Vector joints(const Vector& motors) { return by_motors * motors; }
-  static Vector motors(const Vector& joints) { return by_joints * joints; }
+  template <class Scalar>
+  static JointsOf<Scalar> motors(const JointsOf<Scalar>& joints) {
+    return product(by_joints, joints);
+  }
 };
 
 struct Arm {
@@ -171,6 +189,7 @@ struct Within {
   Status status;
   Rows nearest, nearest_of_all;
   std::vector<std::optional<Solution<dof>>> best;  ///< by each metric
+  bool are_same;                                   ///< rows one by one and side by side, bit by bit
 };
 /// Answers of the library about rows next to a seed, without limits.
 struct Ways {
@@ -182,10 +201,27 @@ struct Ways {
 
 const std::array<LargestJoint<dof>, 2> metrics{LargestJoint<dof>{}, LargestJoint<dof>{Vector(1, 3, 0.2)}};
 
+/// Law: a lane has the bits of a row alone.
+template <class Map>
+bool are_same(const Rows& rows, const Vector& seed, const Bounds& limits) {
+  const inverse::WithinMotors<Map> within(limits, seed);
+  const auto itself = [](const auto& motors) { return motors; };
+  const inverse::RowsInside<Map, 4, double> alone(rows, within, itself);
+  const inverse::RowsInside<Map, 4> together(rows, within, itself);
+  bool result = alone.count == together.count && alone.is_cut == together.is_cut;
+  for (std::size_t k = 0; result && k < static_cast<std::size_t>(alone.count); ++k) {
+    Vector one, other;
+    alone.copy_motors(k, one);
+    together.copy_motors(k, other);
+    result = alone.kept[k] == together.kept[k] && alone.squares[k] == together.squares[k] && one == other;
+  }
+  return result;
+}
+
 template <class Map>
 Within within_of(const Rows& rows, const Vector& seed, const Bounds& limits) {
   const AllWithinMotors<Map, 4> all(rows, limits);
-  Within found{{}, all.size(), all.branches(), all.status, {}, {}, {}};
+  Within found{{}, all.size(), all.branches(), all.status, {}, {}, {}, are_same<Map>(rows, seed, limits)};
   if (found.size < 100'000)
     for (const auto& row : all) found.all.push_back(row);
   found.nearest = inverse::nearest_within_motors<Map>(rows, seed, limits);
@@ -253,6 +289,7 @@ void expect_brute_force(const Arm& arm, const Library& library, std::mt19937& ra
       EXPECT_NEAR(metrics[i](Vector(best->q - seed)), least_metrics[i], 1e-9);
     }
   }
+  EXPECT_TRUE(found.are_same);
   EXPECT_EQ(found.size, count);
   EXPECT_EQ(found.status, count == 0 ? Status::unreachable : Status::solved);
   for (const auto& row : found.all) EXPECT_TRUE(is_inside(arm, row.q, limits));
@@ -307,6 +344,7 @@ void expect_sense(const Arm& arm, const Library& library, std::mt19937& random) 
   EXPECT_LT(found.size, 100'000U);
   EXPECT_EQ(found.nearest.size(), found.branches);
   EXPECT_LE(far.nearest.size(), found.branches);
+  EXPECT_TRUE(found.are_same && far.are_same);
   Bounds wider = limits;
   wider.lower.array() -= 1e-9;
   wider.upper.array() += 1e-9;
@@ -353,6 +391,7 @@ TEST(RandomMotors, LongSearchesAreGivenUpAndSaidSo) {
   const Within found = libraries[0].within(rows, Vector(0, 0, 0), limits);
   EXPECT_TRUE(found.nearest.empty());
   EXPECT_EQ(found.nearest.status, Status::incomplete);
+  EXPECT_TRUE(found.are_same);
   EXPECT_EQ(found.status, Status::incomplete);
 }
 

@@ -5,15 +5,10 @@
 /// Limits of values, and those that one motion moves alone, ready to be brought next to their centres.
 typedef struct WithinMotors {
   Values lower, upper, centre, per_motion;
-  double per_square[bounded];
+  double square_of_motion[bounded], per_square[bounded];
   TurnRange ranges[bounded];
   Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
 } WithinMotors;
-
-static inline double whole_above(double value) {
-  const double whole = nearest_whole(value);
-  return whole < value ? whole + 1 : whole;
-}
 
 /// The first value that is settled by a level; those before the first pivot are by level -1.
 static inline int level_begin(int level) { return level < 0 ? 0 : turn_pivot[level]; }
@@ -57,6 +52,7 @@ static void set_level(WithinMotors* within, int level) {
     within->per_motion.of[i] = motion != 0 ? 1 / motion : 0;
     if (motor_of[i] >= 0) square += motion * motion;
   }
+  within->square_of_motion[level] = square;
   within->per_square[level] = square != 0 ? 1 / square : 0;
 }
 
@@ -65,6 +61,7 @@ static void set_level(WithinMotors* within, int level) {
 static void set_within_motors(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
   double sensible[dof];
   memset(within->per_motion.of, 0, sizeof within->per_motion.of);
+  memset(within->square_of_motion, 0, sizeof within->square_of_motion);
   memset(within->per_square, 0, sizeof within->per_square);
   memset(within->alone_step.of, 0, sizeof within->alone_step.of);
   memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
@@ -118,44 +115,29 @@ static double part_of_square(const WithinMotors* within, int level, const Values
   return sum;
 }
 
-/// Numbers of turns with which all values of a level are inside, and the one, no whole number, at which they are nearest to
-/// the centre: they move along a line, on which limits leave a piece and the distance has one least value.
-typedef struct TurnPiece {
-  double least, most, nearest;
-} TurnPiece;
-
+/// Values of a level move along a line, on which limits leave a piece and the distance has one least value.
 static TurnPiece turn_piece(const WithinMotors* within, int level, const Values* values) {
-  TurnPiece piece = {-tolerance_farthest_joint, tolerance_farthest_joint, 0};
+  TurnPiece piece = new_turn_piece;
   double wanted = 0;
   for (int i = level_begin(level); i < level_begin(level + 1); ++i) {
-    const double motion = motion_of(level, i), per_motion = within->per_motion.of[i];
-    const double down = (within->lower.of[i] - limit_tolerance - values->of[i]) * per_motion;
-    const double up = (within->upper.of[i] + limit_tolerance - values->of[i]) * per_motion;
-    if (per_motion != 0) {
-      piece.least = larger(piece.least, per_motion > 0 ? down : up);
-      piece.most = smaller(piece.most, per_motion > 0 ? up : down);
-    } else if (!is_between(within->lower.of[i], values->of[i], within->upper.of[i])) {
-      piece.least = HUGE_VAL;
-      return piece;
-    }
-    if (motor_of[i] >= 0) wanted += motion * (within->centre.of[i] - values->of[i]);
+    const double per_motion = within->per_motion.of[i], value = values->of[i];
+    if (per_motion != 0)
+      cut_line(&piece, within->lower.of[i] - limit_tolerance - value, within->upper.of[i] + limit_tolerance - value,
+               per_motion);
+    else
+      piece.inside = piece.inside && is_between(within->lower.of[i], value, within->upper.of[i]);
+    if (motor_of[i] >= 0) wanted += motion_of(level, i) * (within->centre.of[i] - value);
   }
-  piece.least = whole_above(piece.least);
-  piece.most = -whole_above(-piece.most);
   piece.nearest = wanted * within->per_square[level];
+  keep_whole_numbers(&piece);
   return piece;
-}
-
-static inline double nearest_inside(const TurnPiece* piece) {
-  return smaller(larger(nearest_whole(piece->nearest), piece->least), piece->most);
 }
 
 /// Settles the last level of a block: no number is tried. Returns false if nothing is inside.
 static bool settle_last(const WithinMotors* within, int level, Values* values) {
   const TurnPiece piece = turn_piece(within, level, values);
-  if (!(piece.least <= piece.most)) return false;
-  turn_values(level, nearest_inside(&piece), values);
-  return true;
+  turn_values(level, nearest_inside(piece), values);
+  return piece.inside;
 }
 
 /// The last level of a level's block.
@@ -164,75 +146,70 @@ static int last_of_block(int level) {
   return level;
 }
 
-/// Numbers of a level that are tried, outwards from the nearest.
-typedef struct Outwards {
+/// A level of a block that is searched. `square`: that of the distance of the levels before; `least_square`: with the
+/// least one of this level.
+typedef struct SearchedLevel {
   Values from;
-  double square, least, most, nearest, up, down;
-} Outwards;
+  Outwards tried;
+  double square, least_square;
+  bool is_open;
+} SearchedLevel;
 
-/// `square`: that of the distance of the levels before. No number is left if none is inside.
-static void start_outwards(const WithinMotors* within, int level, const Values* from, double square, Outwards* tried) {
+static SearchedLevel searched_level(const WithinMotors* within, int level, const Values* from, double square) {
   const TurnPiece piece = turn_piece(within, level, from);
-  const double farthest = piece.most - piece.least < many_turns ? many_turns : tried_turns;
-  tried->from = *from;
-  tried->square = square;
-  tried->nearest = piece.nearest;
-  tried->least = tried->down = 0;
-  tried->most = -1;
-  tried->up = 0;
-  if (!(piece.least <= piece.most)) {
-    tried->down = -1;
-    return;
-  }
-  tried->up = nearest_inside(&piece);
-  tried->down = tried->up - 1;
-  tried->most = smaller(piece.most, tried->up + farthest);
-  tried->least = larger(piece.least, tried->up - farthest);
+  SearchedLevel searched;
+  searched.from = *from;
+  searched.square = searched.least_square = square;
+  searched.is_open = piece.inside;
+  start_outwards(&searched.tried, piece);
+  return searched;
 }
 
-static inline bool has_number(const Outwards* tried) { return tried->up <= tried->most || tried->down >= tried->least; }
-
-/// Turns by the next number, and sets the square of the distance with this level. What lies beyond a number with which that
-/// is no less than `best` is farther still.
-static Values next_outwards(const WithinMotors* within, int level, double best, Outwards* tried, double* reached) {
-  const bool goes_up = tried->down < tried->least ||
-                       (tried->up <= tried->most && tried->up - tried->nearest <= tried->nearest - tried->down);
-  Values at = tried->from;
-  turn_values(level, goes_up ? tried->up : tried->down, &at);
-  *reached = tried->square + part_of_square(within, level, &at);
-  const bool goes_on = *reached < best;
-  if (goes_up) tried->up = goes_on ? tried->up + 1 : tried->most + 1;
-  if (!goes_up) tried->down = goes_on ? tried->down - 1 : tried->least - 1;
+/// Turns by the number that is tried, and sets the square of the distance with this level.
+static Values turned_by_number(const WithinMotors* within, int level, SearchedLevel* searched, double* reached) {
+  Values at = searched->from;
+  turn_values(level, searched->tried.number, &at);
+  *reached = searched->square + part_of_square(within, level, &at);
+  searched->least_square = *reached - square_beyond_least(searched->tried, within->square_of_motion[level]);
   return at;
+}
+
+/// Goes to the next number. What lies beyond one with which this level alone is as far as the best is farther still.
+static void go_outwards(const WithinMotors* within, int level, double best, SearchedLevel* searched) {
+  const bool is_inside = next_outwards(&searched->tried);
+  const double beyond = square_beyond_least(searched->tried, within->square_of_motion[level]);
+  searched->is_open = is_inside && may_be_best(searched->least_square + beyond, best);
 }
 
 /// Searches a block from a level on for its values nearest to the centre. The most numbers that are tried are 4096; `is_cut`
 /// is set if these have led to nothing.
 static bool search_block(const WithinMotors* within, int first, Values* values, bool* is_cut) {
   const int last = last_of_block(first), most_tries = 4096;
-  Outwards tried[bounded];
+  SearchedLevel levels[bounded];
   double best = HUGE_VAL;
   int tries = 0, level = first;
-  start_outwards(within, first, values, 0, &tried[first]);
+  levels[first] = searched_level(within, first, values, 0);
   while (level >= first) {
-    if (tries >= most_tries || !has_number(&tried[level])) {
+    SearchedLevel* here = &levels[level];
+    if (!here->is_open || tries >= most_tries) {
       --level;
+      if (level >= first) go_outwards(within, level, best, &levels[level]);
       continue;
     }
     ++tries;
     double reached = 0;
-    Values at = next_outwards(within, level, best, &tried[level], &reached);
-    if (!(reached < best)) continue;
-    if (level + 1 < last) {
+    Values at = turned_by_number(within, level, here, &reached);
+    if (reached < best && level + 1 < last) {
       ++level;
-      start_outwards(within, level, &at, reached, &tried[level]);
+      levels[level] = searched_level(within, level, &at, reached);
       continue;
     }
-    if (!settle_last(within, last, &at)) continue;
-    const double whole = reached + part_of_square(within, last, &at);
-    if (!(whole < best)) continue;
-    best = whole;
-    *values = at;
+    if (reached < best && settle_last(within, last, &at)) {
+      const double whole = reached + part_of_square(within, last, &at);
+      if (whole < best) *values = at;
+      best = smaller(whole, best);
+    }
+    go_outwards(within, level, best, here);
   }
   if (!(best < HUGE_VAL) && tries >= most_tries) *is_cut = true;
   return best < HUGE_VAL;

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include <qvgen/inverse/joint_limits.h>
-#include <qvgen/inverse/motor_lanes.h>
 #include <qvgen/inverse/motor_representatives.h>
+#include <qvgen/inverse/motor_rows.h>
 #include <qvgen/inverse/motor_ways.h>
 #include <qvgen/inverse/row_iterator.h>
 #include <qvgen/inverse/solutions.h>
@@ -37,7 +37,7 @@ class AllWithinMotors {
   AllWithinMotors(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits)
       : effort(found.effort), within_(limits, Joints<dof>::Zero()) {
     const inverse::RowsInside<Map, capacity> inside(found, within_,
-                                                    [](const Joints<dof>& motors) { return motors; });
+                                                    [](const auto& motors) { return motors; });
     bool is_marked = false;
     for (std::size_t at = 0; at < static_cast<std::size_t>(inside.count); ++at) {
       rows_.append() = found[inside.kept[at]];
@@ -124,8 +124,7 @@ template <class Map, int dof, int capacity>
 LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capacity>& found,
                                                       const Joints<dof>& seed,
                                                       const JointLimits<dof>& limits) {
-  return nearest_of_rows(found, WithinMotors<Map>(limits, seed),
-                         [](const Joints<dof>& motors) { return motors; });
+  return nearest_of_rows(found, WithinMotors<Map>(limits, seed), [](const auto& motors) { return motors; });
 }
 
 /// Returns it from rows in joints.
@@ -133,7 +132,7 @@ template <class Map, int dof, int capacity>
 LimitedSolutions<dof, capacity> nearest_of_joints(const Solutions<dof, capacity>& found,
                                                   const Joints<dof>& seed, const JointLimits<dof>& limits) {
   return nearest_of_rows(found, WithinMotors<Map>(limits, seed),
-                         [](const Joints<dof>& joints) { return Joints<dof>(Map::motors(joints)); });
+                         [](const auto& joints) { return Map::motors(joints); });
 }
 
 /// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
@@ -158,7 +157,7 @@ LimitedSolutions<Map::dof, capacity> nearest_within_limits(const AllWithinMotors
   rows.effort = all.effort;
   rows.status = all.status;
   return inverse::nearest_of_rows(rows, all.within().next_to(seed),
-                                  [](const Joints<Map::dof>& motors) { return motors; });
+                                  [](const auto& motors) { return motors; });
 }
 
 /// Returns the row whose way from a seed is the least by a metric (metrics.h), of all representatives: of

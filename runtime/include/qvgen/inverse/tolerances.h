@@ -28,6 +28,8 @@ inline constexpr double farthest_joint = range(1e300);
 inline constexpr double lost_centre = digits(1e12);
 /// More whole turns than this are not counted: a half is still a digit of their angle.
 inline constexpr double most_turns = digits(5e8);
+/// Squares of distances from a centre may be the same, computed in different ways: half the digits, and some.
+inline constexpr double same_square = digits(1e-6);
 
 // Reach, told before any branch is followed.
 
