@@ -47,11 +47,12 @@ Rotor<Scalar> circle_from(const Scalar& low, const Scalar& high, const Scalar& s
   admit(smaller(sine2, cosine2), limits_of<Scalar>(boundary), nearly_free, branch);
   const Scalar least(boundary.floor);
   // The root of low * high, which need not wait for the shares.
-  const Scalar height =
-      sqrt(larger(Scalar(low * high), boundary.to_end ? Scalar(least / (scale * scale)) : least));
-  const Scalar cosine = larger(cosine2, least) - larger(sine2, least);
-  return {boundary.to_end ? smaller(larger(cosine, Scalar(-1)), Scalar(1)) : cosine,
-          (Scalar(2) * sign * magnitude(scale)) * height};
+  const bool is_apart = boundary.to_end && boundary.floor > 0;
+  const Scalar height = sqrt(larger(Scalar(low * high), is_apart ? Scalar(least / (scale * scale)) : least));
+  const Rotor<Scalar> turn{larger(cosine2, least) - larger(sine2, least),
+                           (Scalar(2) * sign * magnitude(scale)) * height};
+  if (!boundary.to_end) return turn;
+  return {smaller(larger(turn.cosine, Scalar(-1)), Scalar(1)), turn.sine};
 }
 
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1
