@@ -108,9 +108,9 @@ struct Patience {
 ///
 /// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many:
 /// this gives back the rest. At a double root a step halves what is left, and is doubled then; it may have to
-/// step aside first, which the next steps make good: hence the patience. A doubled step ends at the root: it
-/// is no idle one, and the step after it leaves alone what hardly moves the points, which there is rounding.
-/// Held joints keep their values.
+/// step aside first, which the next steps make good: hence the patience. A doubled step ends at the root: if
+/// it comes nearer it is no idle one, and the step after it leaves alone what hardly moves the points, which
+/// there is rounding. Held joints keep their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& patience,
             JointValues<Scalar, joints>& values, Reached<Scalar, joints, points>& best, Budget& budget,
@@ -146,7 +146,8 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
     // The square of a square: half the way to a double root leaves a sixteenth.
     halves = at.error > Scalar(tolerance::least_halved) * before &&
              at.error < Scalar(tolerance::most_halved) * before;
-    idle = at.error < Scalar(patience.gain) * best.error ? 0 : idle + (doubled ? 0 : 1);
+    const bool comes_nearer = doubled && at.error < before;
+    idle = at.error < Scalar(patience.gain) * best.error ? 0 : idle + (comes_nearer ? 0 : 1);
     if (!stuck && patience.idle_steps > 1 && 2 * idle >= patience.idle_steps &&
         best.error > Scalar(tolerance::stuck) * rounding) {
       stuck = true;
