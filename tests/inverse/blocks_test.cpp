@@ -70,6 +70,35 @@ TEST(CircleAngle, BoundaryOutsideAndNaN) {
   EXPECT_EQ(fate(std::numeric_limits<double>::quiet_NaN(), 1.0, plain), (Fate{false, false}));
 }
 
+/// A nearly free direction of noise, and an equation that an earlier double root has moved far beyond it.
+TEST(CircleAngle, NearSingularNearlyFreeAnglesAreTurns) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const Rotor<double> from = random(1e-14, 1e-12) * turn(random(-3, 3));
+    const double length = std::hypot(from.cosine, from.sine), rest = random(-1e-8, 1e-8);
+    for (const double sign : {1.0, -1.0}) {
+      Branch<double> branch;
+      const Rotor<double> found =
+          free_circle_angle(length - rest, length + rest, from, 1e-30, turn(1), sign, careful, branch);
+      ASSERT_TRUE(branch.exists && branch.unsure);
+      ASSERT_NEAR(std::hypot(found.cosine, found.sine), 1, 1e-9);
+    }
+  }
+}
+
+/// A root before the angle is of a square that should be zero and is rounding.
+TEST(OutOfRange, IsNotToldWithinTheRootOfRounding) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const double square = std::pow(10, random(-18, -14)), swing = square + random(-1, 1) * 1e-16;
+    for (const double end : {0.0, 1.0})
+      EXPECT_FALSE(is_out_of_range(end + (end - 0.5) * 2 * std::sqrt(square), swing, plain));
+  }
+  EXPECT_TRUE(is_out_of_range(1 + 1e-5, 1e-12, plain));
+  EXPECT_TRUE(is_out_of_range(-1e-5, 1e-12, plain));
+  EXPECT_TRUE(is_out_of_range(0.5, 1.1, plain));
+}
+
 TEST(CircleAngle, NearSingularWhatIsOutsideIsTakenToTheEnd) {
   EXPECT_TRUE(fate(-1e-4, 2.0, careful).exists);
   EXPECT_FALSE(fate(-1e-2, 2.0, careful).exists);

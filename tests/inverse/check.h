@@ -80,7 +80,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
   /// Two singularities at once: a row stands for the sampled joints, or the status says that some may be
   /// missing, as it does at a fifth of these poses of a ur5. At one pose of so many neither need be. For arms
   /// of six joints.
-  void expect_a_row_at_two_singularities(int poses, int lost_one_of = 500) {
+  void expect_a_row_at_two_singularities(int poses) {
     if (GetParam().dof != 6 || GetParam().info.task != Task::pose || by_elimination())
       GTEST_SKIP() << "another law";
     const LostRows result = lost_at_two_singularities(test(), poses);
@@ -88,7 +88,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
     // A quartic's roots carry few digits there, and steps along a continuum use up what is allowed.
     const bool has_quartic = !GetParam().info.stable_branches;
     EXPECT_LE(result.told, 1 + (has_quartic ? 2 : 1) * result.calls / 3);
-    EXPECT_LE(result.lost, result.calls / lost_one_of) << "of " << result.calls << " calls: " << result.first;
+    EXPECT_LE(result.lost, result.calls / 500) << "of " << result.calls << " calls: " << result.first;
   }
 
   /// Every pose of a set, until one is wrong.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The row that Newton's steps of the whole arm find next to a seed, among those that the equations gave.
 #include <gtest/gtest.h>
+#include <qvgen/inverse/quartic/polish.h>
 #include <qvgen/inverse/whole_arm.h>
+
+#include "random.h"
 
 namespace {
 
@@ -108,6 +111,64 @@ TEST(RowAtSeed, OneThatIsFartherThanTheNearestIsNotAdded) {
 
 TEST(RowAtSeed, ASlideElsewhereIsAnotherRow) {
   EXPECT_EQ(with_row(set_of({{1, 0.5}}), joints(1, 0.3), joints(1, 0.4)).size(), 2);
+}
+
+/// An arm whose three last axes are parallel, and parallel to its two first where the third joint is at 90
+/// degrees.
+ArmAtZero<6> arm_of_five_axes_in_parallel() {
+  ArmAtZero<6> arm;
+  arm.joints = {
+      Screw<double>{true, {1, 0, 0}, {0, 0, 0}},       Screw<double>{true, {1, 0, 0}, {0.1, 0.6, 0.3}},
+      Screw<double>{true, {0, 0, 1}, {0.4, 1.1, 1}},   Screw<double>{true, {0, 1, 0}, {0.4, 1.3, 1}},
+      Screw<double>{true, {0, 1, 0}, {1.1, 1.3, 1.4}}, Screw<double>{true, {0, 1, 0}, {1.5, 1.3, 1.9}}};
+  arm.tool = {Quaternion<double>::Identity(), Vector3<double>(1.9, 1.8, 1.9)};
+  return arm;
+}
+
+/// The third joint next to 90 degrees, the elbow stretched: two singularities at once.
+Joints<6> at_two_singularities(test::Random& random) {
+  Joints<6> q;
+  for (int i = 0; i < 6; ++i) q[i] = random(-3, 3);
+  q[2] = pi / 2 + std::pow(10, random(-5, -4));
+  q[4] = std::atan2(0.5, 0.4) - std::atan2(0.4, 0.7);
+  return q;
+}
+
+/// How many of 500 poses `polish(task, values)` reaches from where a double root leaves half the digits.
+template <class Polish>
+int reached_from_beside(const Polish& polish) {
+  const ArmAtZero<6> arm = arm_of_five_axes_in_parallel();
+  test::Random random;
+  int count = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Joints<6> q = at_two_singularities(random);
+    const auto task = matching<3>(arm, tool_of(arm, q));
+    JointValues<double, 6> values;
+    for (std::size_t i = 0; i < 6; ++i)
+      values[i] = {std::cos(q[static_cast<int>(i)]), std::sin(q[static_cast<int>(i)])};
+    const auto at = reached_place(task, values);
+    move_along(task, at, polishing::idle_joints(at).least, 3e-4, values);
+    count += polish(task, values) ? 1 : 0;
+  }
+  return count;
+}
+
+/// A doubled step that comes no nearer is one of the three that may be idle: few poses need a fourth.
+TEST(Polishing, ReachesADoubleRootWhereOtherJointsHardlyMoveTheTool) {
+  const auto polish_it = [](const auto& task, JointValues<double, 6>& values) {
+    Budget budget{0, 12};
+    Reached<double, 6, 3> reached;
+    return polish(task, {}, values, reached, budget);
+  };
+  EXPECT_GE(reached_from_beside(polish_it), 495);
+}
+
+TEST(Polishing, ReachesSuchARootOfArmsWithAQuarticToo) {
+  const auto polish_it = [](const auto& task, JointValues<double, 6>& values) {
+    Budget budget{0, 60};
+    return quartic::polish_points(task, 1e-14, values, budget, {});
+  };
+  EXPECT_EQ(reached_from_beside(polish_it), 500);
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ struct Boundary {
   double beyond = 0;  ///< as near outside it is doubtful, too; farther out it does not exist
   double unsure = tolerance::end_inside;  ///< nearer to an end than this share Newton steps judge what the
                                           ///< branch leads to
-  double floor = 0;  ///< least share of the range: what is nearer to the end is moved away from it
+  double floor = 0;     ///< least share of the range: what is nearer to the end is moved away from it
+  bool to_end = false;  ///< what is outside a range is at its end, however far: a regular pose is not so far
   double near = tolerance::nearly_free;  ///< a direction whose square is below this multiple of noise is
                                          ///< nearly free, and accepted at any share
   bool wide = true;                      ///< what is nearly free is doubtful, even if no pass would choose it
@@ -117,6 +118,7 @@ struct Boundary {
   static constexpr Boundary careful(double allowed) {
     Boundary boundary;
     boundary.accept = widened(tolerance::end_careful, allowed);
+    boundary.to_end = true;
     boundary.gap = tolerance::gap_careful;
     boundary.fold = allowed > tolerance::least_fold ? allowed : tolerance::least_fold;
     return boundary;

@@ -108,7 +108,9 @@ struct Patience {
 ///
 /// A quartic's roots carry nine to eleven digits, and a closed form that divides by a length of 1e-5 as many:
 /// this gives back the rest. At a double root a step halves what is left, and is doubled then; it may have to
-/// step aside first, which the next steps make good: hence the patience. Held joints keep their values.
+/// step aside first, which the next steps make good: hence the patience. A doubled step ends at the root: if
+/// it comes nearer it is no idle one, and the step after it leaves alone what hardly moves the points, which
+/// there is rounding. Held joints keep their values.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& patience,
             JointValues<Scalar, joints>& values, Reached<Scalar, joints, points>& best, Budget& budget,
@@ -127,21 +129,25 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
   JointValues<Scalar, joints> now = values;
   Reached<Scalar, joints, points> at = best;
   bool halves = false;
+  bool doubled = false;
   bool stuck = false;
   for (int idle = 0;
        best.error > Scalar(tolerance::settled) * rounding && idle < patience.idle_steps && budget.step();) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
+    const Scalar nothing =
+        stuck && !doubled ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
     const polishing::Steps<Scalar, joints> by =
         polishing::newton_step(task, at, Scalar(Scalar(tolerance::damping) * sqrt(at.error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i)
       advance(task, i, halves ? Scalar(Scalar(2) * by[i]) : by[i], now);
+    doubled = halves;
     const Scalar before = at.error;
     reach(task, now, at);
     // The square of a square: half the way to a double root leaves a sixteenth.
     halves = at.error > Scalar(tolerance::least_halved) * before &&
              at.error < Scalar(tolerance::most_halved) * before;
-    idle = at.error < Scalar(patience.gain) * best.error ? 0 : idle + 1;
+    const bool comes_nearer = doubled && at.error < before;
+    idle = at.error < Scalar(patience.gain) * best.error ? 0 : idle + (comes_nearer ? 0 : 1);
     if (!stuck && patience.idle_steps > 1 && 2 * idle >= patience.idle_steps &&
         best.error > Scalar(tolerance::stuck) * rounding) {
       stuck = true;

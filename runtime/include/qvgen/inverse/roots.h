@@ -35,7 +35,9 @@ void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar
   branch.exists = branch.exists & ((margin >= limits.accept) | nearly_free);
 }
 
-/// Returns the angle of `circle_angle`, which exists wherever it is nearly free.
+/// Returns the angle of `circle_angle`, which exists wherever it is nearly free. There a range that is next
+/// to nothing may be left by many times its own length, because an earlier double root carries half the
+/// digits.
 template <typename Scalar>
 Rotor<Scalar> circle_from(const Scalar& low, const Scalar& high, const Scalar& scale, const Scalar& sign,
                           const Boundary& boundary, const Mask<Scalar>& nearly_free, Branch<Scalar>& branch) {
@@ -45,9 +47,12 @@ Rotor<Scalar> circle_from(const Scalar& low, const Scalar& high, const Scalar& s
   admit(smaller(sine2, cosine2), limits_of<Scalar>(boundary), nearly_free, branch);
   const Scalar least(boundary.floor);
   // The root of low * high, which need not wait for the shares.
-  const Scalar height =
-      sqrt(larger(Scalar(low * high), boundary.floor == 0 ? least : Scalar(least / (scale * scale))));
-  return {larger(cosine2, least) - larger(sine2, least), (Scalar(2) * sign * magnitude(scale)) * height};
+  const bool is_apart = boundary.to_end && boundary.floor > 0;
+  const Scalar height = sqrt(larger(Scalar(low * high), is_apart ? Scalar(least / (scale * scale)) : least));
+  const Rotor<Scalar> turn{larger(cosine2, least) - larger(sine2, least),
+                           (Scalar(2) * sign * magnitude(scale)) * height};
+  if (!boundary.to_end) return turn;
+  return {smaller(larger(turn.cosine, Scalar(-1)), Scalar(1)), turn.sine};
 }
 
 /// cos φ = (high - low) / (high + low), the two angles ±φ at which a line or circle meets a circle; scale = 1
@@ -207,12 +212,14 @@ void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tol
 }
 
 /// True if a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
-/// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
+/// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root. If the swing
+/// is rounding its root carries half the digits: poses that are out of reach by less are left to the
+/// branches.
 template <typename Scalar>
 [[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,
                                                    const Boundary& boundary) {
   const Scalar off = magnitude(Scalar(middle - Scalar(0.5)));
-  const Scalar to_end = Scalar(0.5) + Scalar(boundary.beyond);
+  const Scalar to_end = Scalar(0.5 + tolerance::swing_at_double_root) + Scalar(boundary.beyond);
   const Scalar same_end = off - to_end;
   const Scalar both_ends = off + to_end;
   return (same_end > Scalar(0) && same_end * same_end > swing) || both_ends * both_ends < swing;

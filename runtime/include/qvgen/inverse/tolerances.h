@@ -45,6 +45,8 @@ inline constexpr double reach_per_tolerance = 80;
 inline constexpr double end_inside = digits(1e-7);
 /// Doubtful outside: rounding of earlier steps puts an end no farther out.
 inline constexpr double end_outside = digits(1e-10);
+/// Outside by less before any branch is followed: a root before it that is double carries half the digits.
+inline constexpr double swing_at_double_root = digits(1e-6);
 /// Shares of a range per share of the arm's size: no equation's range is smaller than a hundredth of the arm.
 inline constexpr double range_per_size = 100;
 /// Followed from the end in careful passes: farther out Newton's steps do not come back.

@@ -126,6 +126,8 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, const Visited& 
   search.divides_by_zero = held && found.empty();
   run_passes(further_passes<Search>, search);
   found.effort = search.tracker.budget().spent;
+  // A branch that is next to a continuum, and nowhere on it: its solution may be one that rounding hides.
+  found.effort.used_up = found.effort.used_up || search.tracker.strays_any();
   found.effort.passes -= regular;
   number_apart(found);
   sort_by_branch(found);

@@ -61,10 +61,14 @@ bool polish_points(const PointMatching<Scalar, joints, points>& task, const Scal
   const Scalar enough = epsilon<Scalar>() * epsilon<Scalar>() * task.size_square;
   const Scalar half_the_digits = sqrt(epsilon<Scalar>());
   int waited = 0;
+  bool stuck = false;
+  bool aside = false;
   for (int step = 0; step < most_steps && waited < patience && least > enough && budget.step(); ++step) {
-    // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const bool stuck = waited >= patience / 2 && least > Scalar(tolerance::stuck) * enough;
-    const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
+    // Directions that hardly move the points are left alone, unless it does not go on without them: then in
+    // every second step, whose curved way the next one makes good.
+    stuck = stuck || (waited >= patience / 2 && least > Scalar(tolerance::stuck) * enough);
+    aside = stuck && !aside;
+    const Scalar nothing = aside ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
     const polishing::Steps<Scalar, joints> by =
         step_of_points(task, now, Scalar(Scalar(tolerance::damping) * sqrt(error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i) advance(task, i, by[i], now);
