@@ -4,7 +4,8 @@
     python3 stack_test.py QVGEN FOLDER CC "LEVEL..." ROBOT...
 
 A line "Stack: at most N bytes." is held against GCC's own graph of calls (-fcallgraph-info=su): the deepest chain of frames from each
-public function, at levels of optimisation such as -O2. Functions of libm are not counted on either side. Skipped where the compiler is not GCC.
+public function, at levels of optimisation such as -O2. Functions of libm are not counted on either side. No
+level may warn of anything. Skipped where the compiler is not GCC.
 """
 import pathlib
 import re
@@ -43,7 +44,8 @@ def taken(cc, folder, sources, level, robot):
     graphs = []
     for source in sources:
         made = folder / f"{source.stem}{level}.o"
-        subprocess.run([cc, "-std=c99", level, "-fcallgraph-info=su", "-c", source, "-o", made], check=True)
+        options = ["-std=c99", "-Wall", "-Wextra", "-Werror", level, "-fcallgraph-info=su"]
+        subprocess.run([cc, *options, "-c", source, "-o", made], check=True)
         graphs.append(made.with_suffix(".ci").read_text())
     frames, calls = frames_and_calls(graphs)
     # Static functions are "file:name" in the graph.

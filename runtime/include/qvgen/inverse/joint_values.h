@@ -39,7 +39,7 @@ template <typename Scalar, std::size_t joints>
 JointValues<Scalar, joints> place_between(const JointValues<Scalar, joints>& a,
                                           const JointValues<Scalar, joints>& b) {
   const Scalar share(tolerance::way_between);
-  JointValues<Scalar, joints> place;
+  JointValues<Scalar, joints> place = a;
   for (std::size_t i = 0; i < joints; ++i) {
     place[i].cosine = a[i].cosine + share * (b[i].cosine - a[i].cosine);
     place[i].sine = a[i].sine + share * (b[i].sine - a[i].sine);
