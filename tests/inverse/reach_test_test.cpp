@@ -39,17 +39,18 @@ TEST(OutOfRange, IsWhatNeitherSignReaches) {
 TEST(OutOfRange, LeavesTheEndsToTheBranches) {
   for (const double tolerance : {default_tolerance, 1e-6}) {
     const Boundary boundary = Boundary::plain(tolerance);
+    const double left = boundary.beyond + tolerance::swing_at_double_root;
     for (const double root : {0.0, 0.3}) {
-      for (const double beyond : {0.0, 0.9 * boundary.beyond}) {
+      for (const double beyond : {0.0, 0.9 * boundary.beyond, 0.9 * left}) {
         EXPECT_FALSE(is_out_of_range(-beyond - root, root * root, boundary));
         EXPECT_FALSE(is_out_of_range(1 + beyond + root, root * root, boundary));
       }
-      const double apart = 0.5 + 0.9 * boundary.beyond;
-      const double too_far = 0.6 + 1.1 * boundary.beyond;
+      const double apart = 0.5 + 0.9 * left;
+      const double too_far = 0.6 + 1.1 * left;
       EXPECT_FALSE(is_out_of_range(0.4, apart * apart, boundary));
       EXPECT_TRUE(is_out_of_range(0.4, too_far * too_far, boundary));
-      EXPECT_TRUE(is_out_of_range(-1.1 * boundary.beyond - root, root * root, boundary));
-      EXPECT_TRUE(is_out_of_range(1 + 1.1 * boundary.beyond + root, root * root, boundary));
+      EXPECT_TRUE(is_out_of_range(-1.1 * left - root, root * root, boundary));
+      EXPECT_TRUE(is_out_of_range(1 + 1.1 * left + root, root * root, boundary));
     }
   }
 }

@@ -74,7 +74,7 @@ QVGEN_LANES simd::Mask<double, Set> is_out_of_range(const simd::Lanes<double, Se
                                                     const Boundary& boundary) {
   using Lane = simd::Lanes<double, Set>;
   const Lane off = magnitude(middle - Lane(0.5));
-  const Lane half = Lane(0.5) + Lane(boundary.beyond);
+  const Lane half = Lane(0.5 + tolerance::swing_at_double_root) + Lane(boundary.beyond);
   const Lane same_end = off - half;
   const Lane both_ends = off + half;
   return ((same_end > Lane(0.0)) & (same_end * same_end > swing)) | (both_ends * both_ends < swing);
