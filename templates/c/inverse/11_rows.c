@@ -200,39 +200,50 @@ static inline double between(double lower, double value, double upper) {
   return raised < upper ? raised : upper;
 }
 
-/// Puts the angle q + 2 pi k inside the limits that is nearest to a seed in the place of q; false if there is none. It
-/// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
-/// them. A slide has itself.
-static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
+/// Limits of all joints, as far as they are the same for every row.
+typedef struct Within {
+  double middle[whole_dof];  // of a turn: the angle inside is next to it
+  bool admits;               // false: some joint has no value inside
+} Within;
+
+/// The middle of a turn's limits, or, where these are wide, the seed, half a turn away from them.
+static Within within_limits_near(const double* seed, const double* lower, const double* upper) {
   const double far = tolerance_farthest_joint;
-  if (!(lower <= upper && lower < far && upper > -far)) return false;
-  double value = *q;
-  if (revolute) {
-    const double turn = constant_whole_turn;
-    const double half = 0.5 * turn - limit_tolerance;
-    const double least = lower + half, most = upper - half;
-    const double middle = least < most ? between(least, seed, most) : 0.5 * (lower + upper);
-    value += turn * nearest_whole((middle - value) * (1 / turn));
+  const double half = 0.5 * constant_whole_turn - limit_tolerance;
+  Within within;
+  within.admits = true;
+  for (int i = 0; i < whole_dof; ++i) {
+    const double least = lower[i] + half, most = upper[i] - half;
+    within.middle[i] = least < most ? between(least, seed[i], most) : 0.5 * (lower[i] + upper[i]);
+    within.admits = within.admits && lower[i] <= upper[i] && lower[i] < far && upper[i] > -far;
   }
-  *q = between(lower, value, upper);
-  return fabs(*q - value) <= limit_tolerance;
+  return within;
 }
 
-static bool row_within_limits(const double* seed, const double* lower, const double* upper, double* q) {
-  for (int i = 0; i < whole_dof; ++i)
-    if (!representative(whole_is_revolute[i], seed[i], lower[i], upper[i], &q[i])) return false;
-  return true;
+/// Puts the angle q + 2 pi k that is inside the limits and nearest to the seed in the place of each angle q; false if a
+/// joint has none. A slide has itself.
+static bool row_within(const Within* within, const double* lower, const double* upper, double* q) {
+  const double turn = constant_whole_turn;
+  bool is_inside = within->admits;
+  for (int i = 0; i < whole_dof; ++i) {
+    double value = q[i];
+    if (whole_is_revolute[i]) value += turn * nearest_whole((within->middle[i] - value) * (1 / turn));
+    q[i] = between(lower[i], value, upper[i]);
+    is_inside = is_inside && fabs(q[i] - value) <= limit_tolerance;
+  }
+  return is_inside;
 }
 
 /// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
 /// first.
 static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
                                const double* upper) {
+  const Within within = within_limits_near(seed, lower, upper);
   double squares[capacity];
   int kept = 0;
   for (int k = 0; k < found->count; ++k) {
     Solution row = found->rows[k];
-    if (!row_within_limits(seed, lower, upper, row.q)) continue;
+    if (!row_within(&within, lower, upper, row.q)) continue;
     double off[whole_dof];
     for (int i = 0; i < whole_dof; ++i) off[i] = row.q[i] - seed[i];
     squares[kept] = sum_of_squares(off, whole_dof);
@@ -285,9 +296,10 @@ static void start_representatives(const Solutions* found, const double* lower, c
 /// Goes to the next row that has a representative inside, and to that which is nearest to zero.
 static bool next_row_inside(Representatives* all) {
   const double zero[whole_dof] = {0};
+  const Within within = within_limits_near(zero, all->lower, all->upper);
   while (all->next_row < all->solutions->count) {
     all->row = all->solutions->rows[all->next_row++];
-    if (!row_within_limits(zero, all->lower, all->upper, all->row.q)) continue;
+    if (!row_within(&within, all->lower, all->upper, all->row.q)) continue;
     memcpy(all->own, all->row.q, sizeof all->own);
     for (int i = 0; i < whole_dof; ++i)
       count_turns(i, all->own[i], all->lower[i], all->upper[i], &all->below[i], &all->above[i]);
