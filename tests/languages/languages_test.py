@@ -50,7 +50,9 @@ def make(tool, cc, folder, *robots):
 
 
 def make_in_float(tool, cc, folder, robots):
-    """Vectors of the C in float, which the crate's f32 has to give."""
+    """Vectors of the C in float, which the crate's f32 has to give. Those of a run with more robots are removed."""
+    for left in ("made_in_float", "vectors_in_float"):
+        shutil.rmtree(folder / left, ignore_errors=True)
     for each in robots:
         description, _, parts = each.partition(":")
         only = ["--only", parts.replace("+", ",")] if parts else []
