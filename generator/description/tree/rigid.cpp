@@ -120,10 +120,6 @@ std::optional<model::Vector3> exactly_rotated(const std::vector<Turn>& turns, co
   return model::Vector3{expression_of(result[0]), expression_of(result[1]), expression_of(result[2])};
 }
 
-Vector values(const model::Vector3& v) {
-  return {model::evaluate(v[0]), model::evaluate(v[1]), model::evaluate(v[2])};
-}
-
 using Rotations = std::vector<Rotation<cln::cl_R>>;
 
 /// Sines and cosines take far longer than what is done with them.
@@ -200,6 +196,10 @@ cln::cl_RA rounded(const cln::cl_R& value) {
   if (const auto exact = model::rational_value(value)) return *exact;
   const cln::cl_RA unit = cln::expt(cln::cl_RA(10), cln::cl_I(-rounded_digits));
   return cln::round1(value / unit) * unit;
+}
+
+Vector values(const model::Vector3& v) {
+  return {model::evaluate(v[0]), model::evaluate(v[1]), model::evaluate(v[2])};
 }
 
 model::Vector3 turned(const std::vector<Turn>& turns, const model::Vector3& v) {

@@ -26,6 +26,9 @@ model::Displacement inverse(const model::Displacement& displacement);
 using Vector = std::array<cln::cl_R, 3>;
 using Matrix = std::array<Vector, 3>;  ///< rows
 
+/// Returns the entries' values.
+Vector values(const model::Vector3& v);
+
 /// Inertial parameters in some frame: mass, centre of mass, tensor about the centre of mass.
 struct Body {
   cln::cl_R mass = 0;

@@ -23,10 +23,6 @@ struct Rod {
   bool has_limits = false;
 };
 
-Vector values(const model::Vector3& v) {
-  return {model::evaluate(v[0]), model::evaluate(v[1]), model::evaluate(v[2])};
-}
-
 cln::cl_R dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 bool is_right(const Vector& a, const Vector& b) { return model::vanishes(dot(a, b)); }
@@ -171,7 +167,22 @@ void tell(Context& context, const Node& link, const Rod& rod, double length) {
     context.warning(link.place,
                     fmt::format("the mass of the rod '{}', {:.6g} kg, is read as two masses at its ends",
                                 link.name, model::to_double(rod.body.mass)),
-                    "weights are exact, its inertia is a little too large");
+                    "its weight is exact if its centre is between the ends, its inertia a little too large");
+}
+
+/// Puts a rod in place of the ball at an end of a closure, and its mass to the points of its ends.
+void take(const Rod& rod, std::size_t end, Closure& closure, Nodes& nodes,
+          std::map<std::size_t, Body>& points) {
+  const std::size_t holder = nodes[rod.first].parent, other = closure.nodes.at(1 - end);
+  auto& carried = nodes[holder].children;
+  carried.erase(std::find(carried.begin(), carried.end(), rod.first));
+  const cln::cl_R part = part_of_end(rod);
+  points[holder] = joined(points[holder], point(rod.body.mass * (1 - part), rod.ball.translation));
+  points[other] = joined(points[other], point(rod.body.mass * part, closure.frames.at(1 - end).translation));
+  closure.type = model::LoopType::rod;
+  closure.nodes.at(end) = holder;
+  closure.frames.at(end) = rod.ball;
+  closure.length = rounded(length_of(rod));
 }
 
 }  // namespace
@@ -185,19 +196,8 @@ WithoutRods take_rods(Context& context, const Nodes& nodes, const ReadSegment& r
     for (std::size_t end = 0; end < 2 && closure.type == model::LoopType::ball && !closure.axis; ++end) {
       const auto rod = finder.rod_at(closure.nodes.at(end), closure.frames.at(end));
       if (!rod) continue;
-      const std::size_t holder = nodes[rod->first].parent, other = closure.nodes.at(1 - end);
-      auto& carried = result.nodes[holder].children;
-      carried.erase(std::find(carried.begin(), carried.end(), rod->first));
-      const cln::cl_R length = length_of(*rod);
-      tell(context, nodes[closure.nodes.at(end)], *rod, model::to_double(length));
-      const cln::cl_R part = part_of_end(*rod);
-      points[holder] = joined(points[holder], point(rod->body.mass * (1 - part), rod->ball.translation));
-      points[other] =
-          joined(points[other], point(rod->body.mass * part, closure.frames.at(1 - end).translation));
-      closure.type = model::LoopType::rod;
-      closure.nodes.at(end) = holder;
-      closure.frames.at(end) = rod->ball;
-      closure.length = rounded(length);
+      tell(context, nodes[closure.nodes.at(end)], *rod, model::to_double(length_of(*rod)));
+      take(*rod, end, closure, result.nodes, points);
     }
   result.read = [read, points](std::size_t node) {
     auto segment = read(node);
