@@ -196,6 +196,7 @@ TEST(MjcfRods, AreNoLinksThatOptionsName) {
   const std::string text = said(result), note = "the ball joint 'left_ball' is read as three turns";
   EXPECT_NE(text.find(note), std::string::npos) << text;
   EXPECT_EQ(text.find(note), text.rfind(note)) << "said twice:\n" << text;
+  EXPECT_THAT(text, testing::Not(HasSubstr("the ball joint 'right_ball'"))) << "a rod has no joints";
 }
 
 }  // namespace

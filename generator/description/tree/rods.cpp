@@ -42,9 +42,12 @@ Body point(const cln::cl_R& mass, const model::Vector3& at) {
 /// Finds the rods of a tree.
 class Finder {
  public:
-  Finder(const Context& context, const Nodes& nodes, const ReadSegment& read, const Loops& loops,
+  Finder(Context& context, const Nodes& nodes, const ReadSegment& read, const Loops& loops,
          const std::vector<Closure>& closures)
-      : nodes_(&nodes), read_(&read), kept_(context.options.tips.begin(), context.options.tips.end()) {
+      : context_(&context),
+        nodes_(&nodes),
+        read_(&read),
+        kept_(context.options.tips.begin(), context.options.tips.end()) {
     for (const Closure& closure : closures)
       for (const std::size_t node : closure.nodes) ++ties_[node];
     for (const JointNames* list : {&loops.actuated, &loops.outputs})
@@ -134,10 +137,21 @@ class Finder {
 
   const Segment& segment_of(std::size_t node) {
     const auto [place, is_new] = segments_.try_emplace(node);
-    if (is_new) place->second = (*read_)(node).value_or(Segment{});
+    if (is_new) place->second = read_quietly(node);
     return place->second;
   }
 
+  /// Reads a link without the notes of its joints: a rod has none, and other links are read once more.
+  Segment read_quietly(std::size_t node) {
+    auto& told = context_->diagnostics;
+    const auto before = static_cast<std::ptrdiff_t>(told.size());
+    Segment segment = (*read_)(node).value_or(Segment{});
+    const auto is_note = [](const Diagnostic& each) { return each.severity == Diagnostic::note; };
+    told.erase(std::remove_if(told.begin() + before, told.end(), is_note), told.end());
+    return segment;
+  }
+
+  Context* context_;
   const Nodes* nodes_;
   const ReadSegment* read_;
   std::set<std::string> kept_, driven_;
