@@ -54,11 +54,12 @@ TEST(Tidy, CommentsKeepTheirMarks) {
   EXPECT_EQ(second.substr(0, 12), "  ///   word");
 }
 
-/// Prose of doc comments flows on: the words that a line has no room for begin the next line of the
+/// Prose of comments flows on: the words that a line has no room for begin the next line of the
 /// paragraph.
 TEST(Tidy, ProseFlowsOn) {
   const std::string full(line_width - 5, 'a');
   EXPECT_EQ(wrapped("/// " + full + " b\n/// c\nint d;\n"), "/// " + full + "\n/// b c\nint d;\n");
+  EXPECT_EQ(wrapped("// " + full + "  b\n// -360 c\n"), "// " + full + "\n// b -360 c\n");
   for (const char* next : {"///\n", "/// - c\n", "///     c\n", "  /// c\n", "// c\n", "int c;\n", ""})
     EXPECT_EQ(wrapped("/// " + full + " b\n" + next), "/// " + full + "\n/// b\n" + next);
 }

@@ -2,7 +2,6 @@
 #include "emit/cpp/tidy.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <string_view>
 
@@ -70,12 +69,14 @@ void put(std::string& result, const std::string& line, std::size_t end) {
   result += line.substr(0, last + 1) + "\n";
 }
 
-/// Returns what lines of a doc comment's prose begin with ("  /// "); empty for other lines.
+/// Returns what lines of a comment's prose begin with ("  /// "); empty for other lines, among them items of
+/// lists and what is indented.
 std::string prose_mark(const std::string& line) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  const std::size_t words = indent + std::string_view("/// ").size();
-  const bool is_prose = line.compare(indent, words - indent, "/// ") == 0 && words < line.size() &&
-                        (std::isalnum(static_cast<unsigned char>(line[words])) != 0 || line[words] == '`');
+  const std::size_t slashes = std::min(line.find_first_not_of('/', indent), line.size());
+  const std::size_t words = slashes + 1;
+  const bool is_prose = slashes >= indent + 2 && words < line.size() && line[slashes] == ' ' &&
+                        line[words] != ' ' && line.compare(words, 2, "- ") != 0;
   return is_prose ? line.substr(0, words) : "";
 }
 
@@ -102,7 +103,7 @@ std::string put_wrapped(std::string& result, std::string line) {
 
 std::string wrapped(const std::string& code) {
   std::string result;
-  std::string carried;  // the last words of a doc comment's line, which go on in the next
+  std::string carried;  // the last words of a comment's line, which go on in the next
   std::string begun;    // what lines of that comment begin with
   std::size_t begin = 0;
   for (std::size_t end = code.find('\n'); end != std::string::npos;

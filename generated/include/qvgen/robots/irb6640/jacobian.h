@@ -46,8 +46,8 @@ template <class Scalar>
 JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
 
 // For all functions: NaN or infinite arguments give NaN in what depends on them. No heap, no exceptions. Each is equal
-// to
-// its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance zero.
+// to its definition, by differentiation of the plain product of the joints' pairs, at random exact points, tolerance
+// zero.
 
 /// Jacobian of the tool point in the base frame: the twist of the tool is `jacobian(q) * qd` (m/s, rad/s); linear rows
 /// first (Jacobian lecture, section 5.4: iteration, cross products and differentiation all give it).
