@@ -63,6 +63,7 @@ Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
   chain.name += "_" + to.name;
   chain.title += ", limb to " + to.name;
   chain.floating_base.reset();
+  chain.has_loops = false;
   chain.joints.clear();
   Places places;
   const std::vector<std::size_t> joints = path(robot, from, to.joint);
@@ -94,9 +95,12 @@ bool branches(const Robot& robot) {
                      [](const Joint& joint) { return joint.parent.has_value(); });
 }
 
+bool is_chain(const Robot& robot) { return !robot.has_loops && !branches(robot); }
+
 void take_chain(Mechanism& mechanism) {
   auto& [robot, tips, loops] = mechanism;
-  if (!loops.empty() || tips.empty() || branches(robot)) return;
+  robot.has_loops = !loops.empty();
+  if (tips.empty() || !is_chain(robot)) return;
   const auto last = std::find_if(tips.begin(), tips.end(), [&robot = robot](const Frame& tip) {
     return tip.joint + 1 == robot.joints.size();
   });

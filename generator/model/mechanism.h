@@ -26,9 +26,11 @@ void set_parent(Robot& robot, std::size_t joint, std::size_t parent);
 
 /// True if some joint is not carried by the one before it.
 bool branches(const Robot& robot);
+/// True if the joints are those of one arm, all of them free.
+bool is_chain(const Robot& robot);
 
-/// Makes joints that do not branch the chain to the tip that the last of them carries. If that is the only
-/// tip, the mechanism is this chain, and has no list of tips.
+/// Makes joints of no loop that do not branch the chain to the tip that the last of them carries. If that is
+/// the only tip, the mechanism is this chain, and has no list of tips.
 void take_chain(Mechanism& mechanism);
 
 /// Returns the joints between a link (base_link: all from the base) and a joint, which is the last of them,

@@ -166,6 +166,8 @@ struct Robot {
   std::vector<std::string> on_request = {};
   std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
   std::optional<Inertia> floating_base = {};  ///< of the base in its own frame, if the base moves freely
+  bool has_loops =
+      false;  ///< its joints are the tree of a mechanism with closed loops: no arm, even in a row
 
   Robot();
   Robot(const Robot&);

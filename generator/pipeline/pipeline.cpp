@@ -117,9 +117,10 @@ std::vector<Product> wanted_products(const Parts& parts) {
 
 /// True if a product is of chains alone and the robot is none; its limbs have it then.
 bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& part, RobotOutput& output) {
-  if (of_trees || !model::branches(robot)) return false;
+  if (of_trees || model::is_chain(robot)) return false;
+  const std::string why = robot.has_loops ? "the joints close loops" : "the joints branch";
   output.missing.push_back(
-      {part, Missing::Kind::not_described, "the joints branch: each limb has it, as a robot of its own"});
+      {part, Missing::Kind::not_described, why + ": each limb has it, as a robot of its own"});
   return true;
 }
 

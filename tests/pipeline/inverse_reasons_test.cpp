@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Six joints of which two turn about one line: no pose has finitely many solutions, and that is all that is
-// said.
+// Why arms have no inverse kinematics. Six joints of which two turn about one line: no pose has finitely many
+// solutions, and that is all that is said. Joints that close a loop are no arm.
+#include <algorithm>
 #include <random>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "description/reader.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 
 namespace qvgen::pipeline {
@@ -46,6 +48,26 @@ TEST(ReasonsOfInverse, ThatNoPoseHasFinitelyManySolutionsIsSaidAlone) {
                                      "Jacobian's determinant vanishes everywhere"))
         << text;
   }
+}
+
+/// A four-bar's joints stand in a row like an arm's, but are not free.
+TEST(ReasonsOfInverse, JointsInARowThatCloseALoopAreNoArm) {
+  std::string text = "name = \"bars\"\ntitle = \"Four bars in a row\"\nactuated = [\"q0\"]\n";
+  for (int i = 0; i < 3; ++i) text += joint(i, "revolute", 'z', "0.4, 0, 0");
+  text += "[[tip]]\nname = \"point\"\njoint = \"q1\"\n";
+  text += "[[loop]]\ntype = \"pin\"\nbetween = [\"q2\", \"base\"]\nat = [[0.3, 0, 0], [0.5, 0, 0]]\n";
+  const auto read = description::read_text(text, "bars.toml");
+  ASSERT_TRUE(read.robot);
+  model::Robot open = *read.robot;
+  open.has_loops = false;
+  const std::vector<RobotOutput> outputs = generate({*read.robot, open}, {"inverse"});
+  const auto has_inverse = [](const OutputFile& file) { return file.path.ends_with("inverse.h"); };
+  EXPECT_TRUE(std::none_of(outputs[0].files.begin(), outputs[0].files.end(), has_inverse));
+  EXPECT_TRUE(std::any_of(outputs[1].files.begin(), outputs[1].files.end(), has_inverse))
+      << "with free joints";
+  EXPECT_THAT(outputs[0].missing,
+              testing::Contains(testing::Field(
+                  &Missing::reason, "the joints close loops: each limb has it, as a robot of its own")));
 }
 
 }  // namespace
