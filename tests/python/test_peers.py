@@ -27,6 +27,7 @@ MJCF = ('<mujoco model="walker"><compiler angle="radian"/><worldbody><body name=
 @pytest.fixture(scope="module")
 def floating(tmp_path_factory):
     """A body that floats, with a wheel, and a slide that carries a turning hand."""
+    pytest.importorskip("pinocchio")  # before the robot is made
     description = tmp_path_factory.mktemp("peers") / "walker.urdf"
     description.write_text(URDF)
     return qvgen.load(description, "--only", "dynamics", floating=True)

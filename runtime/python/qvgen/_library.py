@@ -153,6 +153,20 @@ def _runtime_sources():
     return sources if _has_avx2_forms else [each for each in sources if each.name not in ("sine_cosine_avx2.cpp", "within_avx2.cpp")]
 
 
+def _together(jobs):
+    """Joins files that have the same options into as many units as there are processors, since each unit reads Eigen."""
+    alike = {}
+    for source, options in jobs:
+        alike.setdefault(tuple(options), []).append(source)
+    units = []
+    for options, sources in alike.items():
+        count = min(len(sources), os.cpu_count() or 1)
+        for k in range(count):
+            text = "".join(f'#include "{source.as_posix()}"\n' for source in sources[k::count])
+            units.append(((f"unit_{len(units)}.cpp", text), list(options)))
+    return units
+
+
 def cxx_library(robot, generated, rows, is_own, tips=None):
     """Path of the library of a robot's C++ and of the text of its loops over rows.
 
@@ -172,10 +186,11 @@ def cxx_library(robot, generated, rows, is_own, tips=None):
     check_eigen(command, folders)
     robot_library = _built(f"libqvgen_robot_{robot}.a") if is_own else None
     libraries = [_built(f"libqvgen_runtime_{each}.a") for each in _LIBRARIES]
-    sources = [] if robot_library else own
-    sources = sources + ([] if all(libraries) else _runtime_sources())
     options += [f"-I{each}" for each in folders]
     jobs = [(("rows.cpp", rows), ["-std=c++17", "-O1", "-fPIC", "-fvisibility=hidden", "-Wno-psabi", *options])]
-    jobs += [(source, [*_cxx_options(source), *options]) for source in sources]
+    if not robot_library:
+        jobs += _together([(source, [*_cxx_options(source), *options]) for source in own])
+    if not all(libraries):
+        jobs += [(source, [*_cxx_options(source), *options]) for source in _runtime_sources()]
     linked(target, command, jobs, [*([robot_library] if robot_library else []), *(libraries if all(libraries) else [])])
     return target
