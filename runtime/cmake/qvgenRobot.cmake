@@ -146,13 +146,16 @@ function(qvgen_robot target)
 endfunction()
 
 # Adds the objects of sources of batches to the library: for the baseline, which chooses, and for what else the compiler
-# knows.
+# knows, but for the sets in QVGEN_WITHOUT_SETS.
 function(qvgen_robot_batch target include needs)
   set(known_sets "")
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(known_sets AVX2 AVX512)
   elseif(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
     set(known_sets NEON)
+  endif()
+  if(QVGEN_WITHOUT_SETS)
+    list(REMOVE_ITEM known_sets ${QVGEN_WITHOUT_SETS})
   endif()
   qvgen_avx2_options(options_AVX2)
   list(APPEND options_AVX2 -mfma)
