@@ -26,7 +26,8 @@ static void prefer_zero(Preference* preference) {
 
 /// Preference with zero for virtual joints, which come behind the arm's own.
 static void prefer_seed(const double* seed, Preference* preference) {
-  prefer_zero(preference);
+  if (row_size > dof) prefer_zero(preference);
+  preference->spread = rotor(1, 0);
   preference->seeded = true;
   for (int i = 0; i < dof; ++i) {
     preference->angle[i] = without_turns(seed[i]);
