@@ -207,7 +207,8 @@ Lines Printer::spelled(const Statement& s) const {
       const Expression takes = ast::method(
           forks, "takes_other", {branch(s.values[0]), s.values[1], branch(s.values[2]), s.values[3]});
       const Expression leaves = ast::method(forks, "leave_if_far", {branch(s.values[2])});
-      return lines({ast::guard(takes, ast::assign(s.values[2], s.values[0])), ast::evaluate(leaves)});
+      const ast::Statement takes_it = ast::guard(takes, ast::assign(s.values[2], s.values[0]));
+      return s.name.empty() ? lines({takes_it}) : lines({takes_it, ast::evaluate(leaves)});
     }
     case Kind::gap:
       return {};

@@ -89,7 +89,7 @@ typedef struct Forks {
   double left[6];  // squared distance from the seed of what was not taken, infinite if it is nothing
   int label;
   bool may_stop, has_stopped;  // at what is not next to the seed
-  double apart;                // squared distance from the seed of what was taken
+  double apart;                // squared distance from the seed of what was taken last
 } Forks;
 
 static const Forks no_forks = {0, 0, {0}, 0, false, false, 0};
@@ -109,7 +109,7 @@ static bool takes_other(Forks* forks, const Branch* other, double other_apart, c
       (is_other ? branch->exists : other->exists) && !are_one(other, other_apart, branch, apart);
   forks->left[forks->count++] = has_rest ? (is_other ? apart : other_apart) : HUGE_VAL;
   forks->label = 2 * forks->label + (is_other ? 1 : 0);
-  forks->apart += is_other ? other_apart : apart;
+  forks->apart = is_other ? other_apart : apart;
   return is_other;
 }
 
