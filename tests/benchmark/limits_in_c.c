@@ -8,7 +8,7 @@
 #define QVGEN_JOINED_OF(left, right) left##right
 #define QVGEN_JOINED(left, right) QVGEN_JOINED_OF(left, right)
 #define ARM(name) QVGEN_JOINED(QVGEN_ROBOT, name)
-#define ARM_IN(name) QVGEN_JOINED(QVGEN_JOINED(QVGEN_ROBOT, _inverse_kinematics), QVGEN_JOINED(QVGEN_GIVEN, name))
+#define ARM_IN(name) QVGEN_JOINED(QVGEN_JOINED(QVGEN_ROBOT, _inverse_kinematics), name)
 #include QVGEN_HEADER
 
 #include <math.h>
@@ -17,12 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <valgrind/callgrind.h>
-
-#ifdef QVGEN_GIVEN_JOINT
-#define GIVEN q[QVGEN_GIVEN_JOINT],
-#else
-#define GIVEN
-#endif
 
 enum { dof = ARM(_dof), most_poses = 10000 };
 
@@ -96,23 +90,21 @@ static const char* const calls[] = {"all", "seed", "limits", "wide", "near_3mrad
 
 static void call(int which, const Query* a, int is_hashed) {
   static const double ways[] = {0, 0.1, 0.1, 0.1, 0.003, 0.1, 1, 3, 0.003, 0, 0};
-  const double* q = a->q;
   double seed[dof];
   const ARM(_geometry)* g = &ARM(_default_geometry);
   const double tolerance = ARM(_default_tolerance);
   const double* turn = a->pose.orientation;
   const double* place = a->pose.position;
-  (void)q;
   for (int i = 0; i < dof; ++i) seed[i] = a->q[i] + ways[which] * a->way[i];
   switch (which) {
-    case 0: ARM_IN()(turn, place, GIVEN NULL, g, tolerance, &found); break;
-    case 1: ARM_IN()(turn, place, GIVEN seed, g, tolerance, &found); break;
-    case 2: ARM_IN(_within_limits)(turn, place, GIVEN seed, lower, upper, g, tolerance, &found); break;
-    case 3: ARM_IN(_within_limits)(turn, place, GIVEN seed, wide_lower, wide_upper, g, tolerance, &found); break;
-    case 8: ARM_IN(_near_within_limits)(turn, place, GIVEN seed, lower, upper, g, tolerance, &found); break;
+    case 0: ARM_IN()(turn, place, NULL, g, tolerance, &found); break;
+    case 1: ARM_IN()(turn, place, seed, g, tolerance, &found); break;
+    case 2: ARM_IN(_within_limits)(turn, place, seed, lower, upper, g, tolerance, &found); break;
+    case 3: ARM_IN(_within_limits)(turn, place, seed, wide_lower, wide_upper, g, tolerance, &found); break;
+    case 8: ARM_IN(_near_within_limits)(turn, place, seed, lower, upper, g, tolerance, &found); break;
     case 9:
-    case 10: ARM_IN()(turn, place, GIVEN NULL, g, tolerance, &found); break;
-    default: ARM_IN(_near)(turn, place, GIVEN seed, g, tolerance, &found);
+    case 10: ARM_IN()(turn, place, NULL, g, tolerance, &found); break;
+    default: ARM_IN(_near)(turn, place, seed, g, tolerance, &found);
   }
   if (which < 9) add_rows(is_hashed);
   if (which == 9) visit_all(lower, upper, is_hashed);
