@@ -28,10 +28,10 @@ std::string overloaded(const std::string& name, const std::string& type) {
 /// Function that stands for a method of an object.
 std::string function_of(const std::string& type, const std::string& name) {
   static const std::map<std::pair<std::string, std::string>, std::string> names{
-      {{"Tracker", "settled"}, "is_settled"},   {{"Visited", "settled"}, "visit_is_settled"},
-      {{"Tracker", "close"}, "close_branch"},   {{"Visited", "close"}, "close_branch"},
-      {{"Tracker", "reopen"}, "reopen_branch"}, {{"Visited", "reopen"}, "reopen_visit"},
-      {{"Branch", "resume"}, "resume"},         {{"Forks", "takes_other"}, "takes_other"},
+      {{"Tracker", "settled"}, "is_settled"},     {{"Visited", "settled"}, "visit_is_settled"},
+      {{"Tracker", "close"}, "close_branch"},     {{"Visited", "close"}, "close_branch"},
+      {{"Tracker", "reopen"}, "reopen_branch"},   {{"Visited", "reopen"}, "reopen_visit"},
+      {{"Branch", "resume"}, "resume"},           {{"Forks", "takes_other"}, "takes_other"},
       {{"Forks", "leave_if_far"}, "leave_if_far"}};
   return names.at({type, name});
 }
