@@ -28,10 +28,11 @@ std::string overloaded(const std::string& name, const std::string& type) {
 /// Function that stands for a method of an object.
 std::string function_of(const std::string& type, const std::string& name) {
   static const std::map<std::pair<std::string, std::string>, std::string> names{
-      {{"Tracker", "settled"}, "is_settled"},   {{"Visited", "settled"}, "visit_is_settled"},
-      {{"Tracker", "close"}, "close_branch"},   {{"Visited", "close"}, "close_branch"},
-      {{"Tracker", "reopen"}, "reopen_branch"}, {{"Visited", "reopen"}, "reopen_visit"},
-      {{"Branch", "resume"}, "resume"},         {{"Forks", "takes_other"}, "takes_other"}};
+      {{"Tracker", "settled"}, "is_settled"},     {{"Visited", "settled"}, "visit_is_settled"},
+      {{"Tracker", "close"}, "close_branch"},     {{"Visited", "close"}, "close_branch"},
+      {{"Tracker", "reopen"}, "reopen_branch"},   {{"Visited", "reopen"}, "reopen_visit"},
+      {{"Branch", "resume"}, "resume"},           {{"Forks", "takes_other"}, "takes_other"},
+      {{"Forks", "leave_if_far"}, "leave_if_far"}};
   return names.at({type, name});
 }
 
@@ -205,7 +206,9 @@ Lines Printer::spelled(const Statement& s) const {
       const Expression forks = ast::name("forks", {"Forks"}, Reach::reference);
       const Expression takes = ast::method(
           forks, "takes_other", {branch(s.values[0]), s.values[1], branch(s.values[2]), s.values[3]});
-      return lines({ast::guard(takes, ast::assign(s.values[2], s.values[0]))});
+      const Expression leaves = ast::method(forks, "leave_if_far", {branch(s.values[2])});
+      const ast::Statement takes_it = ast::guard(takes, ast::assign(s.values[2], s.values[0]));
+      return s.name.empty() ? lines({takes_it}) : lines({takes_it, ast::evaluate(leaves)});
     }
     case Kind::gap:
       return {};

@@ -84,7 +84,11 @@ class SeedBranch : public Walk {
     to.push_back(copied(other.text, w));
     to.push_back(ast::evaluate(step_call(plan_, node.step, at.target, ast::sign({1}), w)));
     to.push_back(ast::evaluate(step_call(plan_, node.step, at.target, ast::sign({-1}), other)));
-    to.push_back({ast::Statement::Kind::take_nearer, "", {}, {other, apart(step, other), w, apart(step, w)}});
+    // The distance of a direction that is not normalised is another.
+    to.push_back({ast::Statement::Kind::take_nearer,
+                  step.keeps_length() ? "" : "normalised",
+                  {},
+                  {other, apart(step, other), w, apart(step, w)}});
     to.push_back(leave_if_none(at));
     follow(node.body, at, to);
   }

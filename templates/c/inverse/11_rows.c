@@ -24,18 +24,10 @@ static void prefer_zero(Preference* preference) {
   preference->seeded = false;
 }
 
-/// Nobody's preference: a branch on which one would matter is doubtful, and has to be followed with one.
-static void prefer_nothing(Preference* preference) {
-  prefer_zero(preference);
-  for (int i = 0; i < row_size; ++i) {
-    preference->angle[i] = tolerance_farthest_joint;
-    preference->brief[i] = rotor(0, 0);
-  }
-}
-
 /// Preference with zero for virtual joints, which come behind the arm's own.
 static void prefer_seed(const double* seed, Preference* preference) {
-  prefer_zero(preference);
+  if (row_size > dof) prefer_zero(preference);
+  preference->spread = rotor(1, 0);
   preference->seeded = true;
   for (int i = 0; i < dof; ++i) {
     preference->angle[i] = without_turns(seed[i]);
@@ -159,25 +151,46 @@ static void sort_by_branch(Row* rows, int count) {
   }
 }
 
-/// In the order of their squared distances from a seed; equal ones keep their order.
+/// Puts rows in the order of their squared distances from a seed; equal ones keep their order. Places are sorted, and each row
+/// then moves once.
 static void sort_rows(Solution* rows, int count, double* squares) {
-  for (int i = 1; i < count; ++i) {
-    const Solution row = rows[i];
+  int from[capacity];
+  for (int i = 0; i < count; ++i) {
     const double own = squares[i];
     int at = i;
     for (; at > 0 && own < squares[at - 1]; --at) {
-      rows[at] = rows[at - 1];
       squares[at] = squares[at - 1];
+      from[at] = from[at - 1];
+    }
+    squares[at] = own;
+    from[at] = i;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (from[i] == i) continue;
+    const Solution row = rows[i];
+    int at = i;
+    while (from[at] != i) {
+      const int next = from[at];
+      rows[at] = rows[next];
+      from[at] = at;
+      at = next;
     }
     rows[at] = row;
-    squares[at] = own;
+    from[at] = at;
   }
 }
 
 /// Sum of squares, in the order in which C++ adds them.
-static double sum_of_squares(const double* numbers, int count) {
+static inline double sum_of_squares(const double* numbers, int count) {
   double sums[4] = {0, 0, 0, 0};
-  for (int i = 0; i < count; ++i) sums[i % 4] += numbers[i] * numbers[i];
+  int i = 0;
+  for (; i + 3 < count; i += 4) {
+    sums[0] += numbers[i] * numbers[i];
+    sums[1] += numbers[i + 1] * numbers[i + 1];
+    sums[2] += numbers[i + 2] * numbers[i + 2];
+    sums[3] += numbers[i + 3] * numbers[i + 3];
+  }
+  for (int k = 0; i + k < count; ++k) sums[k] += numbers[i + k] * numbers[i + k];
   return (sums[0] + sums[2]) + (sums[1] + sums[3]);
 }
 
@@ -202,8 +215,10 @@ static inline double between(double lower, double value, double upper) {
 
 /// Limits of all joints, as far as they are the same for every row.
 typedef struct Within {
-  double middle[whole_dof];  // of a turn: the angle inside is next to it
-  bool admits;               // false: some joint has no value inside
+  double middle[whole_dof];    // of a turn: the angle inside is next to it
+  double turn[whole_dof];      // a whole turn, of a slide 0
+  double per_turn[whole_dof];  // its inverse, or 0
+  bool admits;                 // false: some joint has no value inside
 } Within;
 
 /// The middle of a turn's limits, or, where these are wide, the seed, half a turn away from them.
@@ -215,23 +230,26 @@ static Within within_limits_near(const double* seed, const double* lower, const 
   for (int i = 0; i < whole_dof; ++i) {
     const double least = lower[i] + half, most = upper[i] - half;
     within.middle[i] = least < most ? between(least, seed[i], most) : 0.5 * (lower[i] + upper[i]);
+    within.turn[i] = whole_is_revolute[i] ? constant_whole_turn : 0;
+    within.per_turn[i] = whole_is_revolute[i] ? 1 / constant_whole_turn : 0;
     within.admits = within.admits && lower[i] <= upper[i] && lower[i] < far && upper[i] > -far;
+    // 0 times what is not finite would not be 0.
+    if (!whole_is_revolute[i]) within.middle[i] = 0;
   }
   return within;
 }
 
-/// Puts the angle q + 2 pi k that is inside the limits and nearest to the seed in the place of each angle q; false if a
-/// joint has none. A slide has itself.
-static bool row_within(const Within* within, const double* lower, const double* upper, double* q) {
-  const double turn = constant_whole_turn;
-  bool is_inside = within->admits;
+/// Takes from each angle q the angle q + 2 pi k that is inside the limits and nearest to the seed; false if a joint has none.
+/// A slide has itself.
+static inline bool row_within(const Within* within, const double* lower, const double* upper, const double* q, double* inside) {
+  double value[whole_dof];
+  for (int i = 0; i < whole_dof; ++i)
+    value[i] = q[i] + within->turn[i] * nearest_whole((within->middle[i] - q[i]) * within->per_turn[i]);
   for (int i = 0; i < whole_dof; ++i) {
-    double value = q[i];
-    if (whole_is_revolute[i]) value += turn * nearest_whole((within->middle[i] - value) * (1 / turn));
-    q[i] = between(lower[i], value, upper[i]);
-    is_inside = is_inside && fabs(q[i] - value) <= limit_tolerance;
+    inside[i] = between(lower[i], value[i], upper[i]);
+    if (!(fabs(inside[i] - value[i]) <= limit_tolerance)) return false;
   }
-  return is_inside;
+  return within->admits;
 }
 
 /// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
@@ -242,12 +260,14 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
   double squares[capacity];
   int kept = 0;
   for (int k = 0; k < found->count; ++k) {
-    Solution row = found->rows[k];
-    if (!row_within(&within, lower, upper, row.q)) continue;
-    double off[whole_dof];
-    for (int i = 0; i < whole_dof; ++i) off[i] = row.q[i] - seed[i];
+    double inside[whole_dof], off[whole_dof];
+    if (!row_within(&within, lower, upper, found->rows[k].q, inside)) continue;
+    for (int i = 0; i < whole_dof; ++i) off[i] = inside[i] - seed[i];
     squares[kept] = sum_of_squares(off, whole_dof);
-    found->rows[kept++] = row;
+    memcpy(found->rows[kept].q, inside, sizeof inside);
+    found->rows[kept].branch = found->rows[k].branch;
+    found->rows[kept].continuum = found->rows[k].continuum;
+    ++kept;
   }
   const int status = found->status;
   found->count = kept;
@@ -299,8 +319,8 @@ static bool next_row_inside(Representatives* all) {
   const Within within = within_limits_near(zero, all->lower, all->upper);
   while (all->next_row < all->solutions->count) {
     all->row = all->solutions->rows[all->next_row++];
-    if (!row_within(&within, all->lower, all->upper, all->row.q)) continue;
-    memcpy(all->own, all->row.q, sizeof all->own);
+    if (!row_within(&within, all->lower, all->upper, all->row.q, all->own)) continue;
+    memcpy(all->row.q, all->own, sizeof all->own);
     for (int i = 0; i < whole_dof; ++i)
       count_turns(i, all->own[i], all->lower[i], all->upper[i], &all->below[i], &all->above[i]);
     return true;

@@ -58,15 +58,41 @@ static double nearest_apart(const Nearest* found, const Preference* seed) {
   return sum;
 }
 
+/// Takes the nearest of all rows.
+static void take_nearest_row(const Rows* all, const Preference* seed, Nearest* found) {
+  double from[row_size], turn[row_size], per_turn[row_size], off[row_size];
+  double least = HUGE_VAL;
+  int nearest = 0;
+  for (int i = 0; i < row_size; ++i) {
+    from[i] = is_revolute[i] ? seed->angle[i] : seed->slide[i];
+    turn[i] = is_revolute[i] ? constant_whole_turn : 0;
+    per_turn[i] = is_revolute[i] ? 1 / constant_whole_turn : 0;
+  }
+  for (int k = 0; k < all->count; ++k) {
+    for (int i = 0; i < row_size; ++i) {
+      const double way = all->rows[k].q[i] - from[i];
+      off[i] = way - turn[i] * nearest_whole(way * per_turn[i]);
+    }
+    const double square = sum_of_squares(off, row_size);
+    if (!(square < least)) continue;
+    least = square;
+    nearest = k;
+  }
+  found->count = all->count > 0 ? 1 : 0;
+  if (all->count > 0) found->row = all->rows[nearest];
+}
+
 /// The choices between two solutions of an equation on the way along a branch.
 typedef struct Forks {
   unsigned flipped;  // bit i: at the i-th the farther one is taken
   int count;
   double left[6];  // squared distance from the seed of what was not taken, infinite if it is nothing
   int label;
+  bool may_stop, has_stopped;  // at what is not next to the seed
+  double apart;                // squared distance from the seed of what was taken last
 } Forks;
 
-static const Forks no_forks = {0, 0, {0}, 0};
+static const Forks no_forks = {0, 0, {0}, 0, false, false, 0};
 
 /// True if two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
 static bool are_one(const Branch* other, double other_apart, const Branch* branch, double apart) {
@@ -83,7 +109,15 @@ static bool takes_other(Forks* forks, const Branch* other, double other_apart, c
       (is_other ? branch->exists : other->exists) && !are_one(other, other_apart, branch, apart);
   forks->left[forks->count++] = has_rest ? (is_other ? apart : other_apart) : HUGE_VAL;
   forks->label = 2 * forks->label + (is_other ? 1 : 0);
+  forks->apart = is_other ? other_apart : apart;
   return is_other;
+}
+
+/// Leaves a way that leads to no row next to the seed, if it may stop.
+static inline void leave_if_far(Forks* forks, Branch* branch) {
+  if (!forks->may_stop || forks->apart < tolerance_by_seed) return;
+  forks->has_stopped = true;
+  branch->exists = false;
 }
 
 /// The forks at which another choice may lead nearer to the seed, a bit each.

@@ -233,12 +233,26 @@ static bool are_one_row(const double* a, const double* b) {
   return square < tolerance_same_rows * DBL_EPSILON;
 }
 
+/// True if the seed misses the tool's point by so much that nothing between it and a row so far away is nearly free.
+static bool misses_point(const Arm* arm, const Pose* pose, const Preference* seed, double row_apart_square) {
+  const double square = projection(pose->position, pose->position) + projection(arm->tool.position, arm->tool.position);
+  double x[3], off[3];
+  memcpy(x, arm->tool.position, sizeof x);
+  for (int i = arm->joints; i-- > 0;)
+    move_point(&arm->of[i], arm->of[i].revolute ? seed->turn[i] : rotor(seed->slide[i], 0), x);
+  difference(pose->position, x, off);
+  const double least = tolerance_least_miss * tolerance_least_miss * row_apart_square * (square > 0 ? square : 1);
+  return dot(off, off) >= least;
+}
+
 /// Takes that row if it is nearer to the seed than what has been found.
 static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
                              double value, double tolerance, bool is_sure, Nearest* found) {
+  const double found_apart = nearest_apart(found, seed);
+  if (is_sure && (found->count == 0 || misses_point(arm, pose, seed, found_apart))) return;
   Nearest row;
   start_nearest(&row);
-  row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
+  row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, found_apart, &row);
   // A row of which the equations are sure stays, if it is the same but for rounding.
   if (is_sure && row.count > 0 && found->count > 0 && are_one_row(row.row.q, found->row.q))
     found->effort.steps += row.effort.steps;

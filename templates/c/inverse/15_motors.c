@@ -8,6 +8,7 @@ typedef struct WithinMotors {
   double square_of_motion[bounded], per_square[bounded];
   TurnRange ranges[bounded];
   Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
+  int joined[bounded], joined_count;  // levels that are not alone
 } WithinMotors;
 
 /// The first value that is settled by a level; those before the first pivot are by level -1.
@@ -46,6 +47,7 @@ static void set_level(WithinMotors* within, int level) {
     within->alone_middle.of[pivot] = range.middle;
     return;
   }
+  within->joined[within->joined_count++] = level;
   double square = 0;
   for (int i = pivot; i < level_begin(level + 1); ++i) {
     const double motion = motion_of(level, i);
@@ -75,6 +77,7 @@ static void set_within_motors(WithinMotors* within, const double* lower, const d
     within->alone_lower.of[i] = stays ? within->lower.of[i] - limit_tolerance : -tolerance_farthest_joint;
     within->alone_upper.of[i] = stays ? within->upper.of[i] + limit_tolerance : tolerance_farthest_joint;
   }
+  within->joined_count = 0;
   for (int level = 0; level < turn_count; ++level) set_level(within, level);
 }
 
@@ -235,15 +238,15 @@ static bool settle_alone(const WithinMotors* within, Values* values) {
 
 /// Settles all levels that are not alone, a block or a level at a time.
 static bool settle_levels(const WithinMotors* within, Values* values, bool* is_cut) {
-  for (int level = 0; level < turn_count; ++level) {
-    if (is_alone(level)) continue;
+  for (int k = 0; k < within->joined_count; ++k) {
+    const int level = within->joined[k];
     if (turn_ends_block[level]) {
       if (!settle_last(within, level, values)) return false;
     } else if (has_one_place(&within->ranges[level])) {
       if (!take_only(within, level, values)) return false;
     } else {
       if (!search_block(within, level, values, is_cut)) return false;
-      level = last_of_block(level);
+      k += last_of_block(level) - level;
     }
   }
   return true;
@@ -255,7 +258,10 @@ static bool take_nearest_turn(const WithinMotors* within, double* motors, double
   Values values = values_of(motors);
   if (!settle_alone(within, &values) || !settle_levels(within, &values, is_cut)) return false;
   *square = 0;
-  for (int level = -1; level < turn_count; ++level) *square += part_of_square(within, level, &values);
+  for (int i = 0; i < bounded; ++i) {
+    const double off = values.of[i] - within->centre.of[i];
+    if (motor_of[i] >= 0) *square += off * off;
+  }
   take_motors(within, &values, motors);
   return true;
 }

@@ -221,6 +221,8 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   emit::add_entries(robot, derivation.problem, variant);
   add_pose_values(variant["target"]);
   variant["row_arm"] = row_arm(problem, variant["virtual_joints"], "", numbers_of(problem.tool_axis));
+  // A quartic's root is the nearest one by itself: other rows may be nearer.
+  variant["nearest_early"] = variant["limits_early"].get<bool>() && !variant["quartic"].get<bool>();
   json entries = json::array();
   const json& cpp = variant["entries"];
   if (task != Task::pose)
