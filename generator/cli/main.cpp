@@ -49,6 +49,7 @@ fs::path description_of(const std::string& robot, const fs::path& robots, const 
   const bool is_path = robot.find('/') != std::string::npos || fs::path(robot).has_extension();
   if (is_file(robot) || is_path) return robot;
   if (!fs::exists(named)) {
+    if (fs::is_directory(robot)) throw UsageError("'" + robot + "' is a folder; name the files in it");
     const std::string problem = "there is no file and no known robot '" + robot + "'";
     throw UsageError(with_suggestion(problem, robot, names_in(robots)));
   }

@@ -135,11 +135,14 @@ ReadResult read_toml(Context& context, std::string_view text) {
   }
 }
 
-bool is_xml(std::string_view text, const std::string& file) {
+bool is_named_as_xml(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".toml") return false;
-  if (extension == ".urdf" || extension == ".xml" || extension == ".mjcf" || extension == ".xacro")
-    return true;
+  return extension == ".urdf" || extension == ".xml" || extension == ".mjcf" || extension == ".xacro";
+}
+
+bool is_xml(std::string_view text, const std::string& file) {
+  if (std::filesystem::path(file).extension() == ".toml") return false;
+  if (is_named_as_xml(file)) return true;
   if (xml::is_utf16_xml(text)) return true;
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != std::string_view::npos && text[first] == '<';
@@ -218,7 +221,9 @@ std::string to_string(const Diagnostic& diagnostic) {
 ReadResult read_text(std::string_view text, const std::string& file, const ReadOptions& options) {
   Context context(text, file, options);
   if (is_blank(text)) {
-    return failed(context, {}, "the file is empty", "begin with name = \"...\" and add [[joint]] tables");
+    return failed(context, {}, "the file is empty",
+                  is_named_as_xml(file) ? "a URDF begins with <robot>, an MJCF with <mujoco>"
+                                        : "begin with name = \"...\" and add [[joint]] tables");
   }
   ReadResult result = is_xml(text, file) ? read_xml(context, text) : read_toml(context, text);
   result.text = text;

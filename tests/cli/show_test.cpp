@@ -33,7 +33,8 @@ TEST_F(CommandLine, AFolderWithARobotsNameHidesNoRobot) {
   fs::create_directories(folder / "ns");
   fs::create_directories(folder / "nss");
   EXPECT_EQ(run_in(folder, "show ns").code, 0);
-  EXPECT_TRUE(has(run_in(folder, "show nss"), "there is no file and no known robot 'nss'"));
+  EXPECT_TRUE(has(run_in(folder, "show nss"), "'nss' is a folder; name the files in it"));
+  EXPECT_TRUE(has(run_in(folder, "show nso"), "there is no file and no known robot 'nso'"));
 }
 
 /// A tool that was copied to another place finds no robots there, but works with files.

@@ -15,8 +15,7 @@ TEST(HostileXml, Syntax) {
   EXPECT_EQ(report("<robot>\n  <link name=a/>\n"),
             "2:14: error: XML syntax: not well-formed (invalid token)" + hint);
   EXPECT_EQ(report("<robot><link></robot>"), "1:16: error: XML syntax: mismatched tag" + hint);
-  EXPECT_EQ(report(""),
-            "1:1: error: the file is empty; begin with name = \"...\" and add [[joint]] tables\n");
+  EXPECT_EQ(report(""), "1:1: error: the file is empty; a URDF begins with <robot>, an MJCF with <mujoco>\n");
   EXPECT_EQ(report("<robot name='é'>\n<a b='é'c=''/></robot>"),
             "2:9: error: XML syntax: not well-formed (invalid token)" + hint);
   EXPECT_EQ(report(std::string("\x7f"

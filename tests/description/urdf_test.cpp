@@ -238,7 +238,7 @@ TEST(Urdf, MistakesInNumbers) {
   EXPECT_EQ(
       report_joint("floating", ""),
       "4:23: error: the joint 'j' is floating; a chain has revolute, continuous, prismatic and fixed joints: "
-      "choose --base behind it\n");
+      "choose --base behind it, or read the whole robot with --floating\n");
 }
 
 TEST(Urdf, Warnings) {

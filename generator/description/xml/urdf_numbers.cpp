@@ -208,8 +208,10 @@ std::optional<tree::Segment> UrdfNumbers::segment(const Element& link, const Ele
   static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed",
                                               unlimited_slide};
   if (std::find(types.begin(), types.end(), type) == types.end()) {
-    context_->error(joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
-                    "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it");
+    context_->error(
+        joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
+        std::string("a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it") +
+            (type == "floating" ? ", or read the whole robot with --floating" : ""));
     return std::nullopt;
   }
   warn_of_children(*context_, joint);
