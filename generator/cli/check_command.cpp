@@ -17,7 +17,7 @@ using namespace pipeline;
 /// Returns all that can be said of a robot without deriving everything.
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
-  if (model::branches(robot)) return output;
+  if (!model::is_chain(robot)) return output;
   attempt("inverse", output, [&](RobotOutput& made) {
     const InverseDerivation derivation = derive_inverse(robot);
     if (derivation.found()) return;

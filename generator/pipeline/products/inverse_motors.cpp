@@ -170,8 +170,10 @@ int motor_of(const model::Robot& robot, int joint) {
 std::string obstacle_of_motors(const model::Robot& described) {
   if (!model::has_followers(described) || model::inverse_shares(described)) return "";
   const std::size_t joints = described.joints.size(), motors = model::driven_count(described);
-  if (described.motors.empty()) return "a joint follows another, and none is derived for such arms";
-  return fmt::format("{} motors move {} joints: it is for arms with a motor for each joint", motors, joints);
+  return fmt::format(
+      "{} {} move {} joints: it is for arms with as many as joints, and for bars that are written as "
+      "[[loop]]s",
+      motors, described.motors.empty() ? "joints that follow none" : "motors", joints);
 }
 
 void add_motors(const model::Robot& described, json& values) {
