@@ -122,6 +122,9 @@ std::string Solver::rod(const Cycle& cycle) {
   const Flat arm = in_frame(screw, y, scope_), to = in_frame(screw, q, scope_);
   if (scope_.is_zero(square(arm)))
     return "the rod of " + loop_name(cycle) + " ends on the axis of " + screw.variable;
+  if (scope_.is_zero(square(to)))
+    return "the rod of " + loop_name(cycle) + " begins on the axis of " + screw.variable +
+           ", so that its length does not tell the angle";
   const ex height = scope_.clean(dot(screw.axis, q - y));
   const ex distance = kept(cycle.length * cycle.length - height * height);
   builder_.turn_by_distance(screw, 1, negative(to), arm, distance,
