@@ -12,6 +12,7 @@
 #include <Eigen/QR>
 
 #include "identify/divergence.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -191,8 +192,7 @@ std::optional<VectorXd> met(const Problem& problem, VectorXd values) {
     const VectorXd missing = problem.equations.missing(values);
     if (missing.cwiseAbs().maxCoeff() <= equal * problem.equations.sides.cwiseAbs().maxCoeff()) return values;
     const MatrixXd directions = problem.directions(values);
-    const VectorXd along =
-        (problem.equations.rows * directions).completeOrthogonalDecomposition().solve(missing);
+    const VectorXd along = matrices::shortest_solution(problem.equations.rows * directions, missing);
     if (!(along.norm() < 1)) return std::nullopt;
     values += directions * along;
   }

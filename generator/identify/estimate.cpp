@@ -7,7 +7,7 @@
 
 #include <Eigen/QR>
 
-#include "verify/loops/singular_values.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -159,7 +159,7 @@ void check_rows(const Equations& equations) {
 
 double condition_of(const MatrixXd& triangle) {
   if (triangle.size() == 0) return 0;
-  const VectorXd values = verify::singular_values(triangle);
+  const VectorXd values = matrices::singular_values(triangle);
   return values[0] / values[values.size() - 1];
 }
 
@@ -217,10 +217,10 @@ Estimate estimate(const Equations& equations, Index parameters, const std::optio
   add_covariance(solved, result);
   add_parts(solved, result);
   const MatrixXd weighted = weighting.weighted(noise);
-  Eigen::HouseholderQR<MatrixXd> qr(weighted);
+  const MatrixXd triangle = matrices::upper_triangle(weighted);
   const Index rows = std::min(weighted.rows(), parameters);
-  result.information = qr.matrixQR().topLeftCorner(rows, parameters).triangularView<Eigen::Upper>();
-  result.right_side = qr.matrixQR().col(parameters).head(rows);
+  result.information = triangle.topLeftCorner(rows, parameters);
+  result.right_side = triangle.col(parameters).head(rows);
   return result;
 }
 
