@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <Eigen/QR>
-
 #include "matrices/decompositions.h"
 
 namespace qvgen::identify {
@@ -67,23 +65,18 @@ Solved solve(const MatrixXd& weighted) {
     if (result.scale[k] == 0) result.scale[k] = 1;
     columns.col(k) /= result.scale[k];
   }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-  qr.setThreshold(dependent_share);
-  const Index rank = qr.rank();
-  for (Index k = 0; k < n; ++k)
-    (k < rank ? result.kept : result.rest).push_back(qr.colsPermutation().indices()[k]);
-  const auto upper = qr.matrixR().topRows(rank);
-  result.triangle = upper.leftCols(rank).triangularView<Eigen::Upper>();
-  const auto triangle = result.triangle.triangularView<Eigen::Upper>();
-  VectorXd side = weighted.col(n);
-  side.applyOnTheLeft(qr.householderQ().adjoint());
-  const VectorXd solution = triangle.solve(side.head(rank));
-  result.relations = triangle.solve(upper.rightCols(n - rank).eval());
-  result.inverse = triangle.solve(MatrixXd::Identity(rank, rank));
+  const matrices::PivotedTriangle found =
+      matrices::pivoted_triangle(columns, weighted.col(n), dependent_share);
+  const Index rank = found.rank;
+  result.kept.assign(found.order.begin(), found.order.begin() + rank);
+  result.rest.assign(found.order.begin() + rank, found.order.end());
+  result.triangle = found.upper;
+  result.relations = matrices::solve_upper(found.upper, found.beside);
+  result.inverse = matrices::solve_upper(found.upper, MatrixXd::Identity(rank, rank));
   result.value = VectorXd::Zero(n);
   for (Index k = 0; k < rank; ++k) {
     const Index place = result.kept[static_cast<std::size_t>(k)];
-    result.value[place] = solution[k] / result.scale[place];
+    result.value[place] = found.solution[k] / result.scale[place];
     result.inverse.row(k) /= result.scale[place];
   }
   return result;

@@ -43,6 +43,33 @@ VectorXd shortest_solution(const MatrixXd& a, const VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
+VectorXd least_squares(const MatrixXd& a, const VectorXd& b, double share) {
+  Eigen::ColPivHouseholderQR<MatrixXd> parts(a);
+  return parts.setThreshold(share).solve(b);
+}
+
+VectorXd least_squares(const MatrixXd& a, const VectorXd& b) { return a.colPivHouseholderQr().solve(b); }
+
+PivotedTriangle pivoted_triangle(const MatrixXd& columns, const VectorXd& right_side, double share) {
+  Eigen::ColPivHouseholderQR<MatrixXd> parts(columns);
+  PivotedTriangle result;
+  const Eigen::Index n = columns.cols(), rank = result.rank = parts.setThreshold(share).rank();
+  const auto& order = parts.colsPermutation().indices();
+  result.order.assign(order.data(), order.data() + n);
+  result.upper = MatrixXd::Zero(rank, rank);
+  for (Eigen::Index k = 0; k < rank; ++k)
+    result.upper.col(k).head(k + 1) = parts.matrixR().col(k).head(k + 1);
+  result.beside = parts.matrixR().topRightCorner(rank, n - rank);
+  VectorXd side = right_side;
+  side.applyOnTheLeft(parts.householderQ().adjoint());
+  result.solution = result.upper.triangularView<Eigen::Upper>().solve(side.head(rank));
+  return result;
+}
+
+MatrixXd solve_upper(const MatrixXd& upper, const MatrixXd& right) {
+  return upper.triangularView<Eigen::Upper>().solve(right);
+}
+
 MatrixXd upper_triangle(const MatrixXd& rows) {
   const Eigen::HouseholderQR<MatrixXd> reflected(rows);
   MatrixXd triangle = reflected.matrixQR().topRows(std::min(rows.rows(), rows.cols()));

@@ -3,6 +3,8 @@
 // numbers: Eigen's templates of each take seconds in every file that asks for one.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace qvgen::matrices {
@@ -37,6 +39,28 @@ Eigen::MatrixXd solve_symmetric_columns(const Eigen::MatrixXd& a, const Eigen::M
 
 /// Returns the shortest of all x that make |a x - b| least.
 Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// Returns an x that makes |a x - b| least, with zeros for columns that depend on others: those that add no
+/// more than a share of what the longest has.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double share);
+/// Returns the same where rounding alone makes columns depend on others.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// Columns = Q R with the columns in the order of the pivots.
+struct PivotedTriangle {
+  std::vector<Eigen::Index> order;  ///< of the columns, the independent ones first
+  Eigen::Index rank = 0;
+  Eigen::MatrixXd upper;     ///< R of the independent columns
+  Eigen::MatrixXd beside;    ///< R's rows of these for the dependent columns
+  Eigen::VectorXd solution;  ///< of the independent columns for a right side, by least squares
+};
+
+/// Returns the decomposition of columns, of which those depend on others that add no more than a share of
+/// what the longest has.
+PivotedTriangle pivoted_triangle(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right_side,
+                                 double share);
+/// Returns upper^-1 right.
+Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& right);
 
 /// Returns the upper triangle R of rows = Q R: as many rows as columns, or all if the matrix has fewer.
 Eigen::MatrixXd upper_triangle(const Eigen::MatrixXd& rows);
