@@ -4,10 +4,9 @@
 // several places, and the best is kept.
 #include "calibrate/align.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "matrices/decompositions.h"
 
 namespace qvgen::calibrate {
 namespace {
@@ -29,13 +28,6 @@ Rigid<double> plain(const Eigen::Isometry3d& m) {
     result.axes[static_cast<std::size_t>(i)] = plain(Eigen::Vector3d(m.linear().col(i)));
   result.position = plain(Eigen::Vector3d(m.translation()));
   return result;
-}
-
-/// Returns the rotation next to a matrix.
-Eigen::Matrix3d rotation_next_to(const Eigen::Matrix3d& m) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1);
-  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
 /// The nominal tool's poses and what the instrument saw.
@@ -84,7 +76,7 @@ class Aligner {
       if (of_tool.angle() < 3.0)
         sum += of_seen.angle() * of_tool.angle() * of_seen.axis() * of_tool.axis().transpose();
     }
-    result.push_back(rotation_next_to(sum));
+    result.push_back(matrices::rotation_next_to(sum));
     return result;
   }
 
@@ -129,7 +121,7 @@ class Aligner {
     for (std::size_t i = 0; i < points.size(); ++i)
       sum += (seen_[i].translation() - middle_seen) * (points[i] - middle).transpose();
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-    result.linear() = rotation.isZero() ? rotation_next_to(sum) : rotation;
+    result.linear() = rotation.isZero() ? matrices::rotation_next_to(sum) : rotation;
     result.translation() = middle_seen - result.linear() * middle;
     return result;
   }
@@ -152,7 +144,7 @@ class Aligner {
     for (std::size_t i = 0; i < tools_.size(); ++i)
       if (set_.rows[i].target == target)
         sum += (tracker * tools_[i]).linear().transpose() * seen_[i].linear();
-    return rotation_next_to(sum);
+    return matrices::rotation_next_to(sum);
   }
 
   [[nodiscard]] double cost_of(const Eigen::Isometry3d& tracker, const Points& places) const {
@@ -186,12 +178,12 @@ class Aligner {
     for (const auto& point : points) middle += point / static_cast<double>(points.size());
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const auto& point : points) sum += (point - middle) * (point - middle).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+    const Eigen::Matrix3d axes = matrices::principal_axes(sum).axes;
     Surface<double> result;
-    result.normal = plain(Eigen::Vector3d(solver.eigenvectors().col(0)));
-    result.first = plain(Eigen::Vector3d(solver.eigenvectors().col(1)));
-    result.second = plain(Eigen::Vector3d(solver.eigenvectors().col(2)));
-    result.offset = solver.eigenvectors().col(0).dot(middle);
+    result.normal = plain(Eigen::Vector3d(axes.col(0)));
+    result.first = plain(Eigen::Vector3d(axes.col(1)));
+    result.second = plain(Eigen::Vector3d(axes.col(2)));
+    result.offset = axes.col(0).dot(middle);
     return result;
   }
 
@@ -204,7 +196,7 @@ class Aligner {
       matrix.row(i) << 2 * points[k].transpose(), 1;
       right[i] = points[k].squaredNorm() - (set_.data == Data::distance ? distances[k] * distances[k] : 0);
     }
-    const Eigen::VectorXd found = matrix.completeOrthogonalDecomposition().solve(right);
+    const Eigen::VectorXd found = matrices::shortest_solution(matrix, right);
     Surface<double> result;
     result.point = plain(Eigen::Vector3d(found.head<3>()));
     result.radius = std::sqrt(std::max(1e-12, found[3] + found.head<3>().squaredNorm()));

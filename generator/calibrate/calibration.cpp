@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include "calibrate/align.h"
@@ -11,6 +10,7 @@
 #include "calibrate/load.h"
 #include "calibrate/suspicion.h"
 #include "calibrate/words.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::calibrate {
 namespace {
@@ -128,7 +128,7 @@ class Calibrator {
     const Eigen::MatrixXd scaled =
         norms.cwiseInverse().asDiagonal() * normal.matrix * norms.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd inverse =
-        scaled.ldlt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
+        matrices::solve_symmetric_columns(scaled, Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
     result_.covariance = norms.cwiseInverse().asDiagonal() * inverse * norms.cwiseInverse().asDiagonal();
     result_.freedom = std::max(1.0, normal.numbers - static_cast<double>(result_.active.size()));
     result_.misfit = std::sqrt(normal.cost / result_.freedom);
@@ -175,7 +175,8 @@ class Calibrator {
   [[nodiscard]] Size expected_size(const std::vector<double>& kept, const std::vector<double>& others) const {
     const Model<double>& model = result_.identifiable.model;
     const Normal normal = normal_of(model, {&set_, kept}, result_.state, result_.active);
-    const Eigen::LDLT<Eigen::MatrixXd> solver(normal.matrix);
+    const Eigen::MatrixXd inverse = matrices::solve_symmetric_columns(
+        normal.matrix, Eigen::MatrixXd::Identity(normal.matrix.rows(), normal.matrix.cols()));
     Size size;
     double count = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
@@ -185,8 +186,8 @@ class Calibrator {
       for (Eigen::Index k = 0; k < rows.cols(); ++k)
         rows.col(k) =
             residual.derivative.col(static_cast<Eigen::Index>(result_.active[static_cast<std::size_t>(k)]));
-      const Eigen::VectorXd squares = (rows * solver.solve(rows.transpose())).diagonal() +
-                                      deviations(set_.data, set_.rows[i]).cwiseAbs2();
+      const Eigen::VectorXd squares =
+          (rows * inverse * rows.transpose()).diagonal() + deviations(set_.data, set_.rows[i]).cwiseAbs2();
       const Eigen::Index heads = std::min<Eigen::Index>(3, squares.size());
       size.position += squares.head(heads).sum();
       size.angle += squares.tail(squares.size() - heads).sum();

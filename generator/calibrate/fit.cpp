@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <Eigen/Cholesky>
+#include "matrices/decompositions.h"
 
 namespace qvgen::calibrate {
 namespace {
@@ -80,7 +80,7 @@ State fit(const Model<double>& model, const Weighted& data, State state,
     for (int trial = 0; trial < 12 && !better; ++trial) {
       Eigen::MatrixXd damped = normal.matrix;
       damped.diagonal() += damping * diagonal;
-      const Eigen::VectorXd by = -damped.ldlt().solve(normal.gradient);
+      const Eigen::VectorXd by = -matrices::solve_symmetric(damped, normal.gradient);
       const double promised = -by.dot(normal.gradient);
       if (!by.allFinite()) return state;
       if (promised <=
@@ -175,7 +175,7 @@ Rank numeric_rank(const Model<double>& model, const Weighted& data, const State&
     const Parameter& each = model.parameters[index];
     const Eigen::VectorXd beside = scaled(kept, std::vector<Eigen::Index>{k});
     const Eigen::VectorXd share =
-        kept.empty() ? Eigen::VectorXd() : Eigen::VectorXd(scaled(kept, kept).ldlt().solve(beside));
+        kept.empty() ? Eigen::VectorXd() : matrices::solve_symmetric(scaled(kept, kept), beside);
     const double rest = 1 - (kept.empty() ? 0 : share.dot(beside));
     const double most = each.turn ? most_angle : most_length;
     const double needed = each.nuisance ? 0 : 1 / (most * norms[k]);

@@ -9,9 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/QR>
-
 #include "identify/divergence.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -177,9 +176,8 @@ VectorXd towards(const Problem& problem, VectorXd values, double weight) {
     rows << problem.wish.rows * directions / root, MatrixXd::Identity(n, n);
     VectorXd sides(m + n);
     sides << problem.wish.missing(values) / root, -problem.slope(values);
-    Eigen::ColPivHouseholderQR<MatrixXd> factors(rows);
-    factors.setThreshold(std::numeric_limits<double>::min());  // the rows below make every column count
-    const VectorXd along = factors.solve(sides);
+    // The rows below make every column count.
+    const VectorXd along = matrices::least_squares(rows, sides, std::numeric_limits<double>::min());
     if (!take(problem, values, directions * along, merit) || (rows * along).norm() < settled) break;
   }
   return values;
@@ -191,8 +189,7 @@ std::optional<VectorXd> met(const Problem& problem, VectorXd values) {
     const VectorXd missing = problem.equations.missing(values);
     if (missing.cwiseAbs().maxCoeff() <= equal * problem.equations.sides.cwiseAbs().maxCoeff()) return values;
     const MatrixXd directions = problem.directions(values);
-    const VectorXd along =
-        (problem.equations.rows * directions).completeOrthogonalDecomposition().solve(missing);
+    const VectorXd along = matrices::shortest_solution(problem.equations.rows * directions, missing);
     if (!(along.norm() < 1)) return std::nullopt;
     values += directions * along;
   }
@@ -206,7 +203,7 @@ VectorXd along_equations(const Problem& problem, VectorXd values) {
     const MatrixXd directions = problem.directions(values);
     const MatrixXd across = (problem.equations.rows * directions).transpose();
     const VectorXd slope = problem.slope(values);
-    const VectorXd along = across * across.colPivHouseholderQr().solve(slope) - slope;
+    const VectorXd along = across * matrices::least_squares(across, slope) - slope;
     if (!take(problem, values, directions * along, merit) || along.norm() < settled) break;
   }
   return met(problem, values).value_or(values);

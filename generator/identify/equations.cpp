@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include "identify/chunks.h"
 #include "identify/extra_columns.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -119,9 +118,7 @@ JointEquations::JointEquations(std::vector<Index> columns) : columns_(std::move(
 void JointEquations::reduce() {
   const Index n = rows_.cols();
   if (filled_ == n) return;
-  Eigen::Ref<MatrixXd> used(rows_.topRows(filled_));
-  Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> reflected(used);
-  for (Index c = 0; c < n; ++c) rows_.col(c).segment(c + 1, n - c - 1).setZero();
+  rows_.topRows(n) = matrices::upper_triangle(rows_.topRows(filled_));
   filled_ = n;
 }
 

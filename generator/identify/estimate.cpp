@@ -5,9 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <Eigen/QR>
-
-#include "verify/loops/singular_values.h"
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -67,23 +65,18 @@ Solved solve(const MatrixXd& weighted) {
     if (result.scale[k] == 0) result.scale[k] = 1;
     columns.col(k) /= result.scale[k];
   }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-  qr.setThreshold(dependent_share);
-  const Index rank = qr.rank();
-  for (Index k = 0; k < n; ++k)
-    (k < rank ? result.kept : result.rest).push_back(qr.colsPermutation().indices()[k]);
-  const auto upper = qr.matrixR().topRows(rank);
-  result.triangle = upper.leftCols(rank).triangularView<Eigen::Upper>();
-  const auto triangle = result.triangle.triangularView<Eigen::Upper>();
-  VectorXd side = weighted.col(n);
-  side.applyOnTheLeft(qr.householderQ().adjoint());
-  const VectorXd solution = triangle.solve(side.head(rank));
-  result.relations = triangle.solve(upper.rightCols(n - rank).eval());
-  result.inverse = triangle.solve(MatrixXd::Identity(rank, rank));
+  const matrices::PivotedTriangle found =
+      matrices::pivoted_triangle(columns, weighted.col(n), dependent_share);
+  const Index rank = found.rank;
+  result.kept.assign(found.order.begin(), found.order.begin() + rank);
+  result.rest.assign(found.order.begin() + rank, found.order.end());
+  result.triangle = found.upper;
+  result.relations = matrices::solve_upper(found.upper, found.beside);
+  result.inverse = matrices::solve_upper(found.upper, MatrixXd::Identity(rank, rank));
   result.value = VectorXd::Zero(n);
   for (Index k = 0; k < rank; ++k) {
     const Index place = result.kept[static_cast<std::size_t>(k)];
-    result.value[place] = solution[k] / result.scale[place];
+    result.value[place] = found.solution[k] / result.scale[place];
     result.inverse.row(k) /= result.scale[place];
   }
   return result;
@@ -159,7 +152,7 @@ void check_rows(const Equations& equations) {
 
 double condition_of(const MatrixXd& triangle) {
   if (triangle.size() == 0) return 0;
-  const VectorXd values = verify::singular_values(triangle);
+  const VectorXd values = matrices::singular_values(triangle);
   return values[0] / values[values.size() - 1];
 }
 
@@ -217,10 +210,10 @@ Estimate estimate(const Equations& equations, Index parameters, const std::optio
   add_covariance(solved, result);
   add_parts(solved, result);
   const MatrixXd weighted = weighting.weighted(noise);
-  Eigen::HouseholderQR<MatrixXd> qr(weighted);
+  const MatrixXd triangle = matrices::upper_triangle(weighted);
   const Index rows = std::min(weighted.rows(), parameters);
-  result.information = qr.matrixQR().topLeftCorner(rows, parameters).triangularView<Eigen::Upper>();
-  result.right_side = qr.matrixQR().col(parameters).head(rows);
+  result.information = triangle.topLeftCorner(rows, parameters);
+  result.right_side = triangle.col(parameters).head(rows);
   return result;
 }
 

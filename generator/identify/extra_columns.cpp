@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
+
+#include "matrices/decompositions.h"
 
 namespace qvgen::identify {
 namespace {
@@ -65,7 +66,7 @@ Estimate without_extra(const ArmRegressor& arm, const Estimate& estimate) {
   // Extra columns first: below their rows of the triangle stands what the data say of the others alone.
   MatrixXd rows(estimate.information.rows(), estimate.value.size() + 1);
   rows << estimate.information.rightCols(others), estimate.information.leftCols(kept), estimate.right_side;
-  const MatrixXd triangle = Eigen::HouseholderQR<MatrixXd>(rows).matrixQR().triangularView<Eigen::Upper>();
+  const MatrixXd triangle = matrices::upper_triangle(rows);
   const Index below = std::max<Index>(0, std::min(triangle.rows(), others + kept) - others);
   Estimate result = estimate;
   result.information = triangle.block(others, others, below, kept);

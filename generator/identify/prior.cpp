@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "matrices/decompositions.h"
 #include "model/evaluate.h"
 
 namespace qvgen::identify {
@@ -37,7 +37,7 @@ std::optional<PseudoInertia> described(const model::Inertia& inertia, const mode
     Matrix3d about_centre;
     about_centre << i[0], i[3], i[5], i[3], i[1], i[4], i[5], i[4], i[2];
     const Matrix3d moments = about_centre.trace() / 2 * Matrix3d::Identity() - about_centre;
-    const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(moments).eigenvalues()[0];
+    const double least = matrices::principal_axes(moments).values[0];
     if (!(mass > 0) || !(least > 1e-9 * moments.trace())) return std::nullopt;
     PseudoInertia result;
     result << moments + mass * c * c.transpose(), mass * c, mass * c.transpose(), mass;

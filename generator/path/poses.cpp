@@ -72,12 +72,20 @@ int notation_of(const Table& table, std::vector<Diagnostic>& diagnostics) {
   return -1;
 }
 
+/// Returns the least turn that takes a unit vector upon another one, which is not opposite. Eigen's function
+/// takes seconds to compile: it decomposes a matrix for opposite ones.
+Quaternion<double> least_turn(const Vector3<double>& from, const Vector3<double>& to) {
+  const double twice_cosine = std::sqrt(2 * (1 + from.dot(to)));  // of half the angle
+  const Vector3<double> axis = from.cross(to) / twice_cosine;
+  return {twice_cosine / 2, axis.x(), axis.y(), axis.z()};
+}
+
 /// Turns an orientation by the least angle so that the tool's z axis has a direction; that is half a turn
 /// about x where it points the other way.
 Quaternion<double> with_axis(const Quaternion<double>& from, const Vector3<double>& axis) {
   const Vector3<double> old = from * Vector3<double>(0, 0, 1), unit = axis.normalized();
   if (old.dot(unit) < -1 + 1e-12) return from * Quaternion<double>(0, 1, 0, 0);
-  return (Quaternion<double>::FromTwoVectors(old, unit) * from).normalized();
+  return (least_turn(old, unit) * from).normalized();
 }
 
 /// Returns the orientation of a row; where only an axis is given, the one next to that of the row before.

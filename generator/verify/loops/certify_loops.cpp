@@ -8,11 +8,11 @@
 #include "derive/inverse/names.h"
 #include "derive/loops/constraints.h"
 #include "exact/named_constant.h"
+#include "matrices/decompositions.h"
 #include "model/replace.h"
 #include "verify/certificate.h"
 #include "verify/inverse/execute.h"
 #include "verify/loops/mobility.h"
-#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -75,7 +75,7 @@ bool is_blurred(const LoopNumbers& numbers, const AssemblyPlan& assembly, const 
   for (std::size_t i = 0; i < assembly.passive.size(); ++i)
     by.col(static_cast<Eigen::Index>(i)) = jacobian.col(static_cast<Eigen::Index>(assembly.passive[i]));
   if (by.size() == 0) return false;
-  const Eigen::VectorXd values = singular_values(by);
+  const Eigen::VectorXd values = matrices::singular_values(by);
   return values.minCoeff() < share * values[0];
 }
 

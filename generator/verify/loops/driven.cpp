@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "matrices/decompositions.h"
 #include "verify/loops/mobility.h"
-#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -18,7 +18,7 @@ constexpr double rank_share = 1e-7;
 
 /// Returns the motions of all joints that the loops allow, a column each.
 MatrixXd motions_at(const MatrixXd& jacobian) {
-  const auto [values, motions] = singular_motions(jacobian);
+  const auto [values, motions] = matrices::singular_motions(jacobian);
   const auto rank =
       (values.array() > rank_share * std::max(values.size() > 0 ? values[0] : 0.0, 1e-300)).count();
   return motions.rightCols(jacobian.cols() - rank);
@@ -58,7 +58,7 @@ class Search {
       MatrixXd rows(static_cast<Eigen::Index>(chosen_.size()), motions.cols());
       for (Eigen::Index i = 0; i < rows.rows(); ++i)
         rows.row(i) = motions.row(static_cast<Eigen::Index>(chosen_[static_cast<std::size_t>(i)]));
-      return singular_values(rows).minCoeff() > rank_share;
+      return matrices::singular_values(rows).minCoeff() > rank_share;
     });
   }
 

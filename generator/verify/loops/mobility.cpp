@@ -6,16 +6,14 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/Cholesky>
-
 #include "dag/evaluate.h"
 #include "derive/inverse/lower.h"
 #include "derive/inverse/names.h"
 #include "derive/loops/named_angles.h"
 #include "exact/named_constant.h"
+#include "matrices/decompositions.h"
 #include "model/private_names.h"
 #include "model/replace.h"
-#include "verify/loops/singular_values.h"
 
 namespace qvgen::verify {
 namespace {
@@ -62,7 +60,7 @@ dag::Function lowered(const symbolic::Program& program) {
 
 int rank_of(const MatrixXd& matrix) {
   if (matrix.rows() == 0) return 0;
-  const VectorXd values = singular_values(matrix);
+  const VectorXd values = matrices::singular_values(matrix);
   return static_cast<int>((values.array() > rank_share * std::max(values[0], 1e-300)).count());
 }
 
@@ -88,7 +86,7 @@ std::vector<std::size_t> redundant_in(const MatrixXd& jacobian, const std::vecto
 
 std::vector<std::size_t> still_in(const MatrixXd& jacobian) {
   const int rank = rank_of(jacobian);
-  const MatrixXd motions = singular_motions(jacobian).motions.rightCols(jacobian.cols() - rank);
+  const MatrixXd motions = matrices::singular_motions(jacobian).motions.rightCols(jacobian.cols() - rank);
   std::vector<std::size_t> result;
   for (Eigen::Index i = 0; i < motions.rows(); ++i)
     if (motions.cols() == 0 || motions.row(i).norm() < rank_share)
@@ -217,7 +215,7 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
     // end.
     MatrixXd square = by * by.transpose();
     square.diagonal().array() += off.norm() * size_;
-    VectorXd way = by.transpose() * square.ldlt().solve(off);
+    VectorXd way = by.transpose() * matrices::solve_symmetric(square, off);
     const double longest = way.cwiseAbs().maxCoeff();
     if (longest > 0.5) way *= 0.5 / longest;
     q -= way;
