@@ -233,12 +233,30 @@ void check_command(const CommandLine& line, const std::string& word) {
   if (word.empty() || word.front() != '-') check_names("there is no command", {word}, commands);
 }
 
+/// Likewise in an option, which CLI11 tells only where nothing else is wrong.
+void check_options(const CommandLine& line, const std::vector<std::string>& words) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : line.app.get_subcommands({})) {
+    if (command->get_name() != words.front()) continue;
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  if (known.empty()) return;
+  std::vector<std::string> given;
+  for (const std::string& word : words)
+    if (word.starts_with("--") && word != "--") given.push_back(word.substr(0, word.find('=')));
+  check_names("'" + words.front() + "' has no option", given, known);
+}
+
 int run(int argc, char** argv) {
   CommandLine line;
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (argc > 1) check_command(line, argv[1]);
+    if (argc > 1) {
+      check_command(line, argv[1]);
+      check_options(line, {argv + 1, argv + argc});
+    }
     const int code = line.app.exit(error);
     return code == 0 ? success : usage_error;
   }

@@ -28,6 +28,8 @@ TEST_F(CommandLine, WrongArgumentsAreUsageErrors) {
   EXPECT_EQ(run("fly").code, 2);
   EXPECT_TRUE(has(run("generat x.toml"), "there is no command 'generat'; did you mean 'generate'?"));
   EXPECT_TRUE(has(run("x.toml"), "there is no command 'x.toml'; there are generate, "));
+  EXPECT_TRUE(has(run("check x.toml --tpi=hand"), "'check' has no option '--tpi'; did you mean '--tip'?"));
+  EXPECT_TRUE(has(run("check --nosuch"), "'check' has no option '--nosuch'; there are --"));
   const ToolRun seconds = run("generate ns --seconds 0");
   EXPECT_EQ(seconds.code, 2);
   EXPECT_LT(seconds.output.size(), 200U) << seconds.output;

@@ -193,7 +193,7 @@ TEST(Mjcf, FreeBodiesAreHeldAndNoTips) {
   EXPECT_EQ(
       report(text),
       "3:32: warning: the joint 'root' is free: the body is held where the file has it; with --base 'torso' "
-      "the chain begins at this body\n");
+      "the chain begins at this body; with --floating it moves freely\n");
   ReadOptions options;
   options.base = "torso";
   EXPECT_EQ(texts(read(text, options).joints.at(0).before), "1, 0, 0");

@@ -65,7 +65,8 @@ class SegmentReader {
     context_->warning(joint.element->place,
                       (name.empty() ? "a joint" : "the joint '" + name + "'") +
                           std::string(" is free: the body is held where the file has it"),
-                      "with --base '" + tree_->nodes[node].name + "' the chain begins at this body");
+                      "with --base '" + tree_->nodes[node].name +
+                          "' the chain begins at this body; with --floating it moves freely");
   }
 
   /// By what masses are multiplied so that those of all bodies sum up to a total.

@@ -203,15 +203,23 @@ tree::Body UrdfNumbers::body(const Element& link) const {
   return moved(origin(*inertial), body);
 }
 
+/// What a joint may be in the place of a type that is not read.
+static std::string in_place_of(const std::string& type) {
+  if (const std::string near = nearest(type, {"revolute", "continuous", "prismatic", "fixed"}); !near.empty())
+    return "did you mean '" + near + "'?";
+  if (type == "hinge") return "did you mean 'revolute', or 'continuous' without limits?";
+  const std::string base =
+      "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it";
+  return base + (type == "floating" ? ", or read the whole robot with --floating" : "");
+}
+
 std::optional<tree::Segment> UrdfNumbers::segment(const Element& link, const Element& joint) const {
   const std::string type = joint.attribute("type")->value;
   static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed",
                                               unlimited_slide};
   if (std::find(types.begin(), types.end(), type) == types.end()) {
-    context_->error(
-        joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
-        std::string("a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it") +
-            (type == "floating" ? ", or read the whole robot with --floating" : ""));
+    context_->error(joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
+                    in_place_of(type));
     return std::nullopt;
   }
   warn_of_children(*context_, joint);
