@@ -10,5 +10,6 @@
 #include <qvgen/robots/finger/dynamics.h>
 
 // Not generated:
-//   inverse: a joint follows another, and none is derived for such arms
+//   inverse: 2 joints that follow none move 3 joints: it is for arms with as many as joints, and for bars that are
+//   written as [[loop]]s
 //   singularity_measures: a joint follows another: the factors of the determinant are not derived

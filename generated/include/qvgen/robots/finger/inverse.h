@@ -4,4 +4,5 @@
 #pragma once
 
 // There is no inverse for this robot:
-//   a joint follows another, and none is derived for such arms
+//   2 joints that follow none move 3 joints: it is for arms with as many as joints, and for bars that are written as
+//   [[loop]]s
