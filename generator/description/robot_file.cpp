@@ -85,8 +85,7 @@ tree::Loops loops_of(const Table& root) {
   };
   loops.leave_out = [&root] {
     root.context().error(
-        root.place_of("loop"), "loops of a chain, or of a base that floats",
-        "loops belong to whole robots whose base does not move: leave --tip and --floating out");
+        root.place_of("loop"), "loops of a chain", "loops belong to whole robots: leave --tip out");
   };
   loops.actuated = joints_of(root, "actuated");
   loops.outputs = joints_of(root, "outputs");

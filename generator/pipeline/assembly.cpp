@@ -9,6 +9,7 @@
 
 #include "emit/math/describe.h"
 #include "emit/render.h"
+#include "model/coordinates.h"
 #include "pipeline/assembly_in_c.h"
 #include "pipeline/assembly_values.h"
 #include "pipeline/limbs.h"
@@ -226,6 +227,25 @@ void add_own_joints(const std::vector<std::size_t>& driven, std::size_t equation
   values["own_joints"] = commas(own);
 }
 
+/// Adds how dynamics are told where the robot is and how it moves: with a base that floats, or by joints
+/// alone.
+void add_configuration(const model::Robot& robot, json& values) {
+  const bool floats = robot.floating_base.has_value();
+  values["base_floats"] = floats;
+  const std::size_t base = model::base_motions(robot);
+  values["base_motions"] = base;
+  values["whole_size"] = base + robot.joints.size();
+  values["moved_size"] = base + values["driven_count"].get<std::size_t>();
+  values["tips_in_world"] = floats && values["has_dynamics"] && values["has_limbs"];
+  values["configuration"] = floats ? "Configuration<double>" : "JointVector<double>";
+  values["at"] = floats ? "at" : "q";
+  values["joint_values"] = floats ? "at.q" : "q";
+  values["all_vector"] = floats ? "Velocity<double>" : "JointVector<double>";
+  values["driven_vector"] = floats ? "DrivenVelocity" : "Driven";
+  values["driven_matrix"] = floats ? "DrivenVelocityMatrix" : "DrivenMatrix";
+  values["gravity"] = floats ? "const FreeFall<double>&" : "double";
+}
+
 /// Values of all templates. Adds what is missing to the output.
 json values_of(const model::Mechanism& mechanism, const Surroundings& has,
                const std::vector<PlannedVariant>& plans, const AssemblyPlan& first, RobotOutput& output) {
@@ -249,6 +269,7 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
   add_constraints(first, values);
   add_own_joints(loops.actuated, passive.size(), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
+  add_configuration(mechanism.robot, values);
   add_variants(mechanism, plans, has.language, output, values);
   return values;
 }

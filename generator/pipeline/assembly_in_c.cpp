@@ -94,7 +94,7 @@ emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<Pl
   values["has_parameters"] = !mechanism.robot.geometry.empty();
   values["has_inertias"] = !mechanism.robot.inertia_parameters.empty();
   values["system_size"] =
-      std::max(values["passive_count"].get<std::size_t>(), values["driven_count"].get<std::size_t>());
+      std::max(values["passive_count"].get<std::size_t>(), values["moved_size"].get<std::size_t>());
   if (!values["has_limbs"]) values["tips"] = json::array();
   add_capacity(plans, values);
   return {emit::render("c/assembly.h", values), emit::c::loops(values)};

@@ -4,16 +4,13 @@
 // those that its Newton's steps find.
 #include "random_rods.h"
 
-#include <filesystem>
-
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include "assembly_laws.h"
+#include "compiled_loops.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
 #include "reference/linear_algebra.h"
-#include "toolchain/process.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::test::loops {
@@ -23,69 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr int starts = QVGEN_LOOP_RODS < 100 ? 60 : 4000;
 constexpr Effort effort{QVGEN_LOOP_RODS < 100 ? 6 : 40, starts, QVGEN_LOOP_RODS < 100 ? 2 : 10};
-
-/// A folder that is gone at the end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "qvgen_rods_XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path path;
-};
-
-/// The functions of a description in C, compiled.
-class Compiled {
- public:
-  explicit Compiled(const fs::path& description) {
-    const fs::path made = description.parent_path() / "made", library = made / "loops.so";
-    run({QVGEN_TOOL, "generate", description.string(), "--quiet", "--language", "c", "--only", "assembly",
-         "--require", "assembly", "--output", made.string()});
-    std::vector<std::string> words{QVGEN_CC, "-shared", "-fPIC", "-ffp-contract=off", "-o", library.string()};
-    for (const auto& file : fs::directory_iterator(made / "c"))
-      if (file.path().extension() == ".c") words.push_back(file.path().string());
-    words.emplace_back("-lm");
-    run(words);
-    library_ = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library_ == nullptr) throw std::runtime_error(::dlerror());
-    fs::remove_all(made);
-  }
-  ~Compiled() { ::dlclose(library_); }
-  Compiled(const Compiled&) = delete;
-  Compiled& operator=(const Compiled&) = delete;
-
-  [[nodiscard]] bool has(const std::string& function) const {
-    return ::dlsym(library_, function.c_str()) != nullptr;
-  }
-  /// Calls a function that has the assemblies of `dof` joints for values of some.
-  [[nodiscard]] Set solve(const std::string& function, const VectorXd& values, Eigen::Index dof) const {
-    using Solve = int(const double*, const double*, const double*, int, double*, int*, int*, int*, int*);
-    const auto call = reinterpret_cast<Solve*>(::dlsym(library_, function.c_str()));
-    const int room = *static_cast<const int*>(::dlsym(library_, (function + "_capacity").c_str()));
-    const auto rows = static_cast<std::size_t>(room);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> q(room, dof);
-    std::vector<int> branches(rows), frees(rows), meets(rows);
-    int status = -1;
-    const int count = call(values.data(), nullptr, nullptr, room, q.data(), branches.data(), frees.data(),
-                           meets.data(), &status);
-    Set set{static_cast<Status>(status), {}};
-    for (int k = 0; k < count; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      set.rows.push_back({q.row(k).transpose(), branches[at], frees[at] != 0, meets[at] != 0});
-    }
-    return set;
-  }
-
- private:
-  static void run(const std::vector<std::string>& words) {
-    const toolchain::Outcome outcome = toolchain::run(words);
-    if (!outcome.done) throw std::runtime_error(outcome.said);
-  }
-  void* library_ = nullptr;
-};
 
 /// Freedoms at an assembly while some joints are held, by the reference's equations.
 Eigen::Index freedoms_at(const reference::LoopMechanism& of, const VectorXd& q,
@@ -155,7 +89,7 @@ void try_mechanism(unsigned seed, const fs::path& folder, Tried& tried) {
     EXPECT_FALSE(is_driven && rods.is_chain()) << plan.reasons.front();
   }
   if (ways.empty()) return;
-  const Compiled compiled(file);
+  const Compiled compiled(file, "assembly");
   for (const auto& [function, given] : ways) try_way(function, of, *given, compiled, seed, tried);
 }
 

@@ -94,7 +94,7 @@ bool is_too_large(Context& context, const Nodes& nodes, std::size_t base,
 model::Mechanism read_mechanism(Context& context, const Nodes& all, std::size_t base, const std::string& kind,
                                 const ReadSegment& read_any, const ReadBody& read_body, const Loops& loops) {
   model::Mechanism result;
-  const auto [nodes, closures, read] =
+  const auto [nodes, closures, read, points] =
       loops.any ? take_rods(context, all, read_any, loops, loops.read(all)) : WithoutRods{all, {}, read_any};
   const auto& named = context.options.tips;
   const bool every = named.empty() || named == std::vector<std::string>{every_tip};
@@ -107,7 +107,12 @@ model::Mechanism read_mechanism(Context& context, const Nodes& all, std::size_t 
   const std::vector<std::size_t> order = links_to(nodes, base, with_closures(nodes, base, closures, tips));
   if (tips.empty() || is_too_large(context, nodes, base, order)) return result;
   TreeReader reader(context, nodes, read, Node::none);
-  if (read_body) result.robot.floating_base = reader.read_base(base, read_body(base), order);
+  if (read_body) {
+    const auto ends = points.find(base);
+    const Body body = read_body(base);
+    result.robot.floating_base =
+        reader.read_base(base, ends == points.end() ? body : joined(body, ends->second), order);
+  }
   reader.read(order, result.robot);
   for (const std::size_t tip : tips) {
     model::Frame frame = reader.place_of(tip);

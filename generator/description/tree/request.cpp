@@ -61,7 +61,7 @@ model::Mechanism read_whole(Context& context, const std::vector<Node>& nodes, co
 
 }  // namespace
 
-bool takes_loops(const ReadOptions& options) { return options.tip.empty() && !options.floating; }
+bool takes_loops(const ReadOptions& options) { return options.tip.empty(); }
 
 model::Mechanism read_tree(Context& context, const std::vector<Node>& described, const std::string& kind,
                            const std::string& title, const ReadSegment& read, const ReadBody& read_body,

@@ -213,6 +213,7 @@ WithoutRods take_rods(Context& context, const Nodes& nodes, const ReadSegment& r
       tell(context, nodes[closure.nodes.at(end)], *rod, model::to_double(length_of(*rod)));
       take(*rod, end, closure, result.nodes, points);
     }
+  result.points = points;
   result.read = [read, points](std::size_t node) {
     auto segment = read(node);
     const auto found = points.find(node);

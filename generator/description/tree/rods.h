@@ -4,6 +4,7 @@
 // and loops with it have closed forms.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "description/tree/tree.h"
@@ -15,6 +16,7 @@ struct WithoutRods {
   std::vector<Node> nodes;        ///< indices as before; rods hang on no link
   std::vector<Closure> closures;  ///< rods in place of the balls at their ends
   ReadSegment read;               ///< with the rods' masses, as points at their ends
+  std::map<std::size_t, Body> points = {};  ///< these masses, by the links that have them
 };
 
 /// Takes rods out of a tree, each with a note, and a warning if it has mass. Links whose joints are driven or

@@ -97,7 +97,7 @@ struct Loops {
   bool may_lack = false;  ///< joints with motors may be outside of what is read
 };
 
-/// True if options leave a file the loops that it has: neither a chain nor a floating base is meant.
+/// True if options leave a file the loops that it has: no chain is meant.
 bool takes_loops(const ReadOptions& options);
 
 /// Reads the body of a link in its own frame, whatever joint holds it.

@@ -203,7 +203,7 @@ tree::Loops mjcf_loops(Context& context, const MjcfModel& model, const MjcfTree&
                                   : tree::JointNames{context.options.actuated, {}};
   const auto warn_of = [&context](const Element& element) {
     context.warning(element.place, "<" + element.name + "> of <equality> is not read: joints move freely",
-                    "loops belong to whole robots whose base does not move, without --tip and --floating");
+                    "loops belong to whole robots, without --tip");
   };
   for (const Element& element : elements)
     if (is_carried(element)) warn_of(element);

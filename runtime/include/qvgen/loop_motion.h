@@ -74,6 +74,55 @@ Joints<dof> loop_bias(const detail::LinearSystem<rows>& factors,
   return result;
 }
 
+/// Motion of a floating base, which passes through, and of all joints, from those of the base and of the
+/// given joints. Without a base `motion` has as many numbers as `rates` has columns.
+template <int dof, int given, int size>
+Eigen::Matrix<double, size - given + dof, 1> whole_motion(const Eigen::Matrix<double, dof, given>& rates,
+                                                          const Eigen::Matrix<double, size, 1>& motion) {
+  constexpr int base = size - given;
+  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
+  const Eigen::Matrix<double, given, 1> by = motion.template tail<given>();
+  Eigen::Matrix<double, base + dof, 1> result;
+  result.template head<base>() = motion.template head<base>();
+  result.template tail<dof>() = rates * by;
+  return result;
+}
+
+/// Wrench on a floating base, which passes through, and forces of the motors, from the wrench and forces of
+/// all joints.
+template <int dof, int given, int size>
+Eigen::Matrix<double, size - dof + given, 1> motor_forces(const Eigen::Matrix<double, dof, given>& rates,
+                                                          const Eigen::Matrix<double, size, 1>& forces) {
+  constexpr int base = size - dof;
+  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
+  const Eigen::Matrix<double, dof, 1> of_joints = forces.template tail<dof>();
+  Eigen::Matrix<double, base + given, 1> result;
+  result.template head<base>() = forces.template head<base>();
+  result.template tail<given>() = rates.transpose() * of_joints;
+  return result;
+}
+
+/// Mass matrix of a floating base, if there is one, and the given joints, from that of the base and all
+/// joints.
+template <int dof, int given, int size>
+Eigen::Matrix<double, size - dof + given, size - dof + given> motor_masses(
+    const Eigen::Matrix<double, dof, given>& rates, const Eigen::Matrix<double, size, size>& masses) {
+  constexpr int base = size - dof;
+  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
+  const Eigen::Matrix<double, dof, dof> of_joints = masses.template bottomRightCorner<dof, dof>();
+  Eigen::Matrix<double, base + given, base + given> result;
+  result.template bottomRightCorner<given, given>() =
+      detail::transposed_times(rates, detail::times(of_joints, rates));
+  if constexpr (base > 0) {
+    const Eigen::Matrix<double, base, dof> beside = masses.template topRightCorner<base, dof>();
+    const Eigen::Matrix<double, base, given> moved = detail::times(beside, rates);
+    result.template topLeftCorner<base, base>() = masses.template topLeftCorner<base, base>();
+    result.template topRightCorner<base, given>() = moved;
+    result.template bottomLeftCorner<given, base>() = moved.transpose();
+  }
+  return result;
+}
+
 /// Forces that the loops carry, one an equation, N: a rod's pushes its ends apart, a pin's is along the
 /// directions of its gap and acts on the first link. `forces` are those that all joints would need if the
 /// loops were open, rad or m; the passive ones have no motors, so the loops bear theirs. Not finite at dead

@@ -27,6 +27,22 @@ Eigen::Matrix<Scalar, size, 1> generalised_force(const TipMotion<Scalar, size>& 
   return tip.jacobian.transpose() * wrench;
 }
 
+/// Returns the motion of a tip by the base, if it floats, and by the given joints alone. `rates`: rates of
+/// all joints by theirs. `bias`: accelerations of all joints at which the given ones have none.
+template <class Scalar, int size, int dof, int given>
+TipMotion<Scalar, size - dof + given> motion_by(const TipMotion<Scalar, size>& tip,
+                                                const Eigen::Matrix<Scalar, dof, given>& rates,
+                                                const Eigen::Matrix<Scalar, dof, 1>& bias) {
+  constexpr int base = size - dof;
+  const Eigen::Matrix<Scalar, 6, dof> by_joints = tip.jacobian.template rightCols<dof>();
+  TipMotion<Scalar, base + given> result;
+  result.pose = tip.pose;
+  result.jacobian.template leftCols<base>() = tip.jacobian.template leftCols<base>();
+  result.jacobian.template rightCols<given>() = by_joints * rates;
+  result.bias = tip.bias + by_joints * bias;
+  return result;
+}
+
 /// Returns the Jacobian of one tip as another sees it: its velocity in that one's frame, which moves.
 template <class Scalar, int size>
 Eigen::Matrix<Scalar, 6, size> relative_jacobian(const TipMotion<Scalar, size>& from,

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Random mechanisms on rods under bases that float: dynamics of the base and the motors, in C. The reference
+// has three slides and three turns in place of the base, and multipliers that hold the loops together: it
+// knows no floating base and no rates of loops.
+#include <gtest/gtest.h>
+
+#include "base_motion.h"
+#include "compiled_loops.h"
+#include "derive/loops/assembly_plan.h"
+#include "description/reader.h"
+#include "random_rods.h"
+#include "reference/dynamics.h"
+#include "reference/linear_algebra.h"
+#include "verify/loops/mobility.h"
+
+namespace qvgen::test::loops {
+namespace {
+
+using reference::product;
+using trees::BaseMotion;
+using trees::joined;
+
+constexpr unsigned wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 5;
+constexpr double gravity = 9.81;  ///< m/s^2, as the reference has it
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
+    text.replace(at, old.size(), by);
+  return text;
+}
+
+/// The same mechanism with a base that floats, with six joints in its place, and with one that stands still.
+struct Descriptions {
+  std::string floating, with_joints, standing;
+};
+
+/// Gives every link a mass. Every other mechanism hangs on a link behind the base, beside an arm.
+Descriptions on_floating_base(const std::string& rods, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-0.3, 0.3);
+  const auto number = [&] { return std::to_string(unit(random)); };
+  const auto heavy = [&](double mass) {
+    const std::string centre = number() + ", " + number() + ", " + number();
+    return "mass = " + std::to_string(mass) + "\ncentre_of_mass = [" + centre +
+           "]\ninertia = [0.5, 0.6, 0.7, 0.1, -0.05, 0.02]\n";
+  };
+  std::string text = rods;
+  const std::string joint = "[[joint]]\n";
+  if (seed % 2 == 0) {
+    text = replaced(text, "\"base\"", "\"torso\"");
+    text = replaced(text, "actuated = [", "actuated = [\"arm\", \"torso\", ");
+    text = replaced(text, "outputs = [", "outputs = [\"arm\", \"torso\", ");
+    const auto turn = [&](const std::string& name, const std::string& axis) {
+      return joint + "type = \"revolute\"\naxis = \"" + axis + "\"\nvariable = \"" + name +
+             "\"\nparent = \"base\"\norigin = [0.1, 0.2, 0.3]\n";
+    };
+    text.insert(text.find(joint), turn("arm", "+x") + turn("torso", "-y"));
+  }
+  const std::size_t head = text.find(joint);
+  std::string links;
+  for (std::size_t at = head, next = 0; at != std::string::npos; at = next) {
+    next = text.find(joint, at + 1);
+    links += joint + heavy(1 + unit(random)) +
+             text.substr(at + joint.size(), next == std::string::npos ? next : next - at - joint.size());
+  }
+  const std::string begin = text.substr(0, head), base = heavy(3);
+  std::string six;
+  for (const char* const each : {"x", "y", "z", "rz", "ry", "rx"}) {
+    const std::string name = each;
+    six += joint + "type = \"" + (name.size() == 1 ? "prismatic" : "revolute") + "\"\naxis = \"+" +
+           name.back() + "\"\nvariable = \"base_" + name + "\"\n";
+  }
+  return {begin + "[floating_base]\n" + base + "\n" + links,
+          begin + six + base + replaced(links, "\"base\"", "\"base_rx\""), begin + links};
+}
+
+reference::LoopMechanism reference_of(const std::string& text, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "reference.toml";
+  std::ofstream(file) << text;
+  return reference::load_loops(file);
+}
+
+/// Generated functions of the mechanism m; vectors begin with the base's six.
+class Functions {
+ public:
+  Functions(const Compiled& compiled, Eigen::Index dof, Eigen::Index driven)
+      : compiled_(&compiled), dof_(dof), driven_(driven) {}
+
+  [[nodiscard]] MatrixXd rates(const VectorXd& q) const {
+    MatrixXd result(driven_, dof_);
+    compiled_->get<void(const double*, const double*, double*)>("m_rates")(q.data(), nullptr, result.data());
+    return result.transpose();
+  }
+  [[nodiscard]] double drive_measure(const VectorXd& q) const {
+    return compiled_->get<double(const double*, const double*)>("m_drive_measure")(q.data(), nullptr);
+  }
+  [[nodiscard]] MatrixXd masses(const VectorXd& base, const VectorXd& q) const {
+    MatrixXd result(6 + driven_, 6 + driven_);
+    compiled_->get<void(const double*, const double*, const double*, const double*, double*)>(
+        "m_driven_mass_matrix")(base.data(), q.data(), nullptr, nullptr, result.data());
+    return result;
+  }
+  [[nodiscard]] VectorXd forces(const VectorXd& base, const VectorXd& q, const VectorXd& ad,
+                                const VectorXd& add) const {
+    return called("m_driven_inverse_dynamics", base, q, ad, add, 6 + driven_);
+  }
+  [[nodiscard]] VectorXd accelerations(const VectorXd& base, const VectorXd& q, const VectorXd& ad,
+                                       const VectorXd& forces) const {
+    return called("m_driven_forward_dynamics", base, q, ad, forces, 6 + driven_);
+  }
+  [[nodiscard]] VectorXd loop_forces(const VectorXd& base, const VectorXd& q, const VectorXd& ad,
+                                     const VectorXd& add) const {
+    return called("m_loop_forces", base, q, ad, add, dof_ - driven_);
+  }
+
+ private:
+  [[nodiscard]] VectorXd called(const std::string& name, const VectorXd& base, const VectorXd& q,
+                                const VectorXd& ad, const VectorXd& more, Eigen::Index size) const {
+    using Function = void(const double*, const double*, const double*, const double*, const double*,
+                          const double*, double, double*);
+    VectorXd result(size);
+    compiled_->get<Function>(name)(base.data(), q.data(), ad.data(), more.data(), nullptr, nullptr, gravity,
+                                   result.data());
+    return result;
+  }
+  const Compiled* compiled_;
+  Eigen::Index dof_, driven_;
+};
+
+/// The pose of the base as the functions take it.
+VectorXd pose_of(const BaseMotion& base) {
+  const Eigen::Quaterniond turn(base.rotation);
+  VectorXd pose(7);
+  pose << turn.w(), turn.x(), turn.y(), turn.z(), base.q.head<3>();
+  return pose;
+}
+
+void expect_close(const MatrixXd& a, const MatrixXd& b, double tolerance) {
+  EXPECT_LE(reference::largest(a - b), tolerance * (1 + reference::largest(b)));
+}
+
+/// The laws of one motion: joints q, at which the loops are closed, their rates by the motors, and those of
+/// the base.
+void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
+                 const reference::LoopMechanism& standing, const VectorXd& q, unsigned seed) {
+  const BaseMotion base(seed);
+  std::mt19937 random(seed);
+  const auto driven = static_cast<Eigen::Index>(standing.driven.size());
+  const auto draw = [&] {
+    std::uniform_real_distribution<double> unit(-1.5, 1.5);
+    return VectorXd::NullaryExpr(driven, [&] { return unit(random); }).eval();
+  };
+  const MatrixXd rates = m.rates(q);
+  const VectorXd pose = pose_of(base), ad = draw(), all_rates = rates * ad, motors = 5 * draw();
+  const VectorXd velocity = joined(base.velocity, ad), q_of_joints = joined(base.q, q);
+  const VectorXd qd_of_joints = joined(base.qd, all_rates), wrench = 5 * base.acceleration;
+  // Kinetic energy is that of the reference.
+  const MatrixXd masses = m.masses(pose, q);
+  const double energy = reference::kinetic_energy(joints.chain, q_of_joints, qd_of_joints);
+  EXPECT_NEAR(velocity.dot(masses * velocity) / 2, energy, 1e-11 * (1 + energy) * (1 + rates.norm()));
+  EXPECT_TRUE(masses == masses.transpose() ||
+              reference::largest(masses - masses.transpose()) < 1e-12 * reference::largest(masses));
+  // Multipliers give the accelerations of the base and of the motors.
+  VectorXd forces = VectorXd::Zero(6 + q.size());
+  const MatrixXd by_rates = base.by_rates(0);
+  forces.head<6>() = by_rates.transpose() * wrench;
+  for (Eigen::Index i = 0; i < driven; ++i)
+    forces[6 + standing.driven[static_cast<std::size_t>(i)]] = motors[i];
+  const VectorXd expected = reference::constrained_acceleration(joints, q_of_joints, qd_of_joints, forces);
+  const VectorXd found = m.accelerations(pose, q, velocity, joined(wrench, motors));
+  const double scale = (1 + expected.norm()) * (1 + qd_of_joints.norm());
+  expect_close(found.head<6>(), base.acceleration + by_rates * (expected.head<6>() - base.qdd), 2e-6 * scale);
+  for (Eigen::Index i = 0; i < driven; ++i)
+    EXPECT_NEAR(found[6 + i], expected[6 + standing.driven[static_cast<std::size_t>(i)]], 2e-6 * scale);
+  const VectorXd again = m.forces(pose, q, velocity, found);
+  expect_close(again, joined(wrench, motors), 1e-10 * (1 + reference::largest(masses * found)));
+  // Loops do no work: forces of motors and loops move the open tree.
+  EXPECT_TRUE(m.loop_forces(pose, q, velocity, found).allFinite());
+  // A base that is held gives the numbers of one that stands still.
+  const VectorXd upright = VectorXd::Unit(7, 0), none = VectorXd::Zero(6);
+  const VectorXd at_rest = m.forces(upright, q, joined(none, 0 * ad), joined(none, 0 * ad)).tail(driven);
+  const VectorXd zero = VectorXd::Zero(q.size());
+  expect_close(at_rest, rates.transpose() * reference::inverse_dynamics(standing.chain, q, zero, zero),
+               1e-11);
+  expect_close(masses.bottomRightCorner(driven, driven),
+               product(rates.transpose(), product(reference::mass_matrix(standing.chain, q), rates)), 1e-11);
+}
+
+/// Tries the laws at assemblies of a mechanism; returns how many. None is tried of one that is not derived.
+int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "m.toml";
+  const Descriptions texts = on_floating_base(RandomRods(seed, file).text(), seed);
+  SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + texts.floating);
+  std::ofstream(file) << texts.floating;
+  const auto read = description::read_file(file.string());
+  if (!read.robot) {
+    ADD_FAILURE() << description::to_string(read.diagnostics.front());
+    return 0;
+  }
+  const model::Mechanism mechanism{*read.robot, read.tips, read.loops};
+  const verify::Mobility mobility = verify::mobility_of(mechanism);
+  const bool is_driven =
+      mobility.free == static_cast<int>(mechanism.loops.actuated.size()) && mobility.loose.empty();
+  if (!is_driven || !derive::loops::assembly_plan(mechanism, mechanism.loops.actuated).found) return 0;
+  const reference::LoopMechanism joints = reference_of(texts.with_joints, folder);
+  const reference::LoopMechanism standing = reference_of(texts.standing, folder);
+  const auto dof = static_cast<Eigen::Index>(standing.chain.joints.size());
+  const Compiled compiled(file, "dynamics,assembly");
+  const Functions functions(compiled, dof, static_cast<Eigen::Index>(standing.driven.size()));
+  int tried = 0;
+  for (const VectorXd& q : reference::assemblies(standing, VectorXd::Zero(dof), {}, 20, seed)) {
+    if (functions.drive_measure(q) < 0.03) continue;
+    expect_laws(functions, joints, standing, q, seed + static_cast<unsigned>(tried));
+    ++tried;
+  }
+  return tried;
+}
+
+TEST(FloatingRods, MoveWithTheirBaseAsMultipliersSay) {
+  const Folder folder;
+  unsigned mechanisms = 0;
+  for (unsigned seed = 1; mechanisms < wanted && seed < 20 * wanted && !HasFailure(); ++seed)
+    mechanisms += try_mechanism(seed, folder.path) > 0 ? 1 : 0;
+  EXPECT_EQ(mechanisms, wanted);
+}
+
+}  // namespace
+}  // namespace qvgen::test::loops
