@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text;
 }
 
-/// The same mechanism with a base that floats, with six joints in its place, and with one that stands still.
+/// Texts of one mechanism: its base floats, has six joints in its place, or stands still.
 struct Descriptions {
   std::string floating, with_joints, standing;
 };
