@@ -203,7 +203,7 @@ tree::Body UrdfNumbers::body(const Element& link) const {
   return moved(origin(*inertial), body);
 }
 
-/// What a joint may be in the place of a type that is not read.
+/// Returns what a joint may be in the place of a type that is not read.
 static std::string in_place_of(const std::string& type) {
   if (const std::string near = nearest(type, {"revolute", "continuous", "prismatic", "fixed"}); !near.empty())
     return "did you mean '" + near + "'?";
