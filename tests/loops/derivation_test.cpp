@@ -157,17 +157,6 @@ TEST(AssemblyPlan, RefusesWhatItCannotDeriveWithTheReason) {
       HasSubstr("joint loose is on no loop and is not driven"));
 }
 
-/// A slide on a crank's axis, whose rod is as long wherever the crank is.
-TEST(AssemblyPlan, RefusesAnglesThatARodDoesNotTell) {
-  const auto mechanism =
-      mechanism_of(head("\"a\"") + joint("a", "") + joint("d", "parent = \"base\"\n", "prismatic") + tip +
-                   rod("a", "[0.05, 0, 0]", "d", "[0, 0, 0]", "0.15"));
-  EXPECT_EQ(derive::loops::assembly_plan(mechanism, {0}).plan.capacity, 2);
-  EXPECT_THAT(
-      derive::loops::assembly_plan(mechanism, {1}).reasons,
-      testing::ElementsAre(HasSubstr("begins on the axis of a, so that its length does not tell the angle")));
-}
-
 /// A slide on a line that is parallel to another one's: its root reads nothing of that, and its value does.
 /// The value is read behind the next fork alone, and stays with its root.
 TEST(AssemblyPlan, ReadsResultsOfAStepWithinItAlone) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Equations of rods, which are derived from the lines of the rods: they are the derivatives of the gaps.
+// Equations of rods, which are derived from the lines of the rods: they are the derivatives of the gaps. And
+// a rod that tells no angle.
 #include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include "derive/inverse/names.h"
+#include "derive/loops/assembly_plan.h"
 #include "derive/loops/constraints.h"
 #include "derive/loops/named_angles.h"
 #include "description/reader.h"
@@ -58,6 +60,40 @@ TEST(Rods, LinesOfRodsAreDerivativesOfTheirGaps) {
       EXPECT_TRUE(scope.is_zero(bias[row++].value - second)) << name;
     }
   }
+}
+
+/// A slide on a crank's axis, whose rod is as long wherever the crank is.
+TEST(Rods, OnAnAxisTellNoAngleAboutIt) {
+  const auto result = description::read_text(R"(
+name = "press"
+title = "a slide on a crank's axis"
+actuated = ["crank"]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "crank"
+[[joint]]
+type = "prismatic"
+axis = "+z"
+variable = "slide"
+parent = "base"
+[[tip]]
+name = "end"
+[[loop]]
+type = "rod"
+between = ["crank", "slide"]
+at = [[0.05, 0, 0], [0, 0, 0]]
+length = 0.15
+)",
+                                             "press.toml");
+  ASSERT_TRUE(result.robot);
+  const model::Mechanism mechanism{*result.robot, result.tips, result.loops};
+  EXPECT_EQ(derive::loops::assembly_plan(mechanism, {0}).plan.capacity, 2);
+  const std::vector<std::string> reasons = derive::loops::assembly_plan(mechanism, {1}).reasons;
+  ASSERT_EQ(reasons.size(), 1U);
+  EXPECT_NE(reasons[0].find("begins on the axis of crank, so that its length does not tell the angle"),
+            std::string::npos)
+      << reasons[0];
 }
 
 }  // namespace
