@@ -235,9 +235,6 @@ void add_configuration(const model::Robot& robot, json& values) {
   const std::size_t base = model::base_motions(robot);
   values["base_motions"] = base;
   const std::size_t moved = base + values["driven_count"].get<std::size_t>();
-  std::string parents = "-1";
-  for (std::size_t row = 1; row < moved; ++row) parents += ", " + std::to_string(row - 1);
-  values["moved_parents"] = parents;
   values["whole_size"] = base + robot.joints.size();
   values["moved_size"] = moved;
   values["tips_in_world"] = floats && values["has_dynamics"] && values["has_limbs"];

@@ -20,7 +20,7 @@ using reference::product;
 using trees::BaseMotion;
 using trees::joined;
 
-constexpr unsigned wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 5;
+constexpr unsigned wanted = QVGEN_LOOP_RODS < 100 ? 1 : QVGEN_LOOP_RODS / 5;
 constexpr double gravity = 9.81;  ///< m/s^2, as the reference has it
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text;
 }
 
-/// Texts of one mechanism: its base floats, has six joints in its place, or stands still.
+/// Descriptions of one mechanism: its base floats, six joints are in place of that, or the base stands.
 struct Descriptions {
   std::string floating, with_joints, standing;
 };

@@ -13,9 +13,9 @@ namespace qvgen::description::tree {
 
 /// A tree without the links that are rods.
 struct WithoutRods {
-  std::vector<Node> nodes;        ///< indices as before; rods hang on no link
-  std::vector<Closure> closures;  ///< rods in place of the balls at their ends
-  ReadSegment read;               ///< with the rods' masses, as points at their ends
+  std::vector<Node> nodes;                  ///< indices as before; rods hang on no link
+  std::vector<Closure> closures;            ///< rods in place of the balls at their ends
+  ReadSegment read;                         ///< with the rods' masses, as points at their ends
   std::map<std::size_t, Body> points = {};  ///< these masses, by the links that have them
 };
 

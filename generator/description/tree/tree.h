@@ -92,7 +92,7 @@ struct JointNames {
 struct Loops {
   bool any = false;
   std::function<std::vector<Closure>(const std::vector<Node>& nodes)> read = {};
-  std::function<void()> leave_out = {};  ///< warns of loops that a chain or a floating base has not
+  std::function<void()> leave_out = {};  ///< warns of loops that a chain has not
   JointNames actuated = {}, outputs = {};
   bool may_lack = false;  ///< joints with motors may be outside of what is read
 };
