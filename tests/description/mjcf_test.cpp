@@ -113,8 +113,7 @@ TEST(Mjcf, Mistakes) {
       "3:28: error: the range of 'b' is empty: the lower end is not below the upper; write "
       "range=\"lower upper\"\n"
       "3:34: warning: a joint is free: the body is held where the file has it; with --base 'b' the chain "
-      "begins "
-      "at this body\n");
+      "begins at this body; with --floating it moves freely\n");
   EXPECT_EQ(report_body("quat=\"1 0 0 0\" euler=\"0 0 0\"", "<joint/><joint class=\"fst\"/>",
                         "<default><default class=\"fast\"/></default>"),
             "3:23: error: there is no default class 'fst'; did you mean 'fast'?\n");

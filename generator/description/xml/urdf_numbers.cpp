@@ -205,8 +205,6 @@ tree::Body UrdfNumbers::body(const Element& link) const {
 
 /// Returns what a joint may be in the place of a type that is not read.
 static std::string in_place_of(const std::string& type) {
-  if (const std::string near = nearest(type, {"revolute", "continuous", "prismatic", "fixed"}); !near.empty())
-    return "did you mean '" + near + "'?";
   if (type == "hinge") return "did you mean 'revolute', or 'continuous' without limits?";
   const std::string base =
       "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it";
