@@ -90,7 +90,7 @@ length = 0.15
   const model::Mechanism mechanism{*result.robot, result.tips, result.loops};
   EXPECT_EQ(derive::loops::assembly_plan(mechanism, {0}).plan.capacity, 2);
   const std::vector<std::string> reasons = derive::loops::assembly_plan(mechanism, {1}).reasons;
-  ASSERT_EQ(reasons.size(), 1U);
+  ASSERT_FALSE(reasons.empty());
   EXPECT_NE(reasons[0].find("begins on the axis of crank, so that its length does not tell the angle"),
             std::string::npos)
       << reasons[0];
