@@ -166,6 +166,24 @@ def test_legs_with_rods_reach_poses():
     assert np.isfinite(leg.loop_forces(q[0], np.ones(6), np.ones(6))).all()
 
 
+def test_dynamics_on_a_base_that_floats():
+    """A leg on rods: vectors begin with the base's six, and the energy is that of the tree."""
+    strider = qvgen.load(ROBOTS.parents[1] / "floating/strider.toml", "--only", "dynamics,assembly")
+    random = np.random.default_rng(3)
+    q = strider.assemble([0.1, 0.05, 0.05, 0.1]).q[0]
+    turn = random.normal(size=4)
+    at = np.concatenate([turn / np.linalg.norm(turn), random.normal(size=3), q])
+    ad, forces = random.normal(size=(2, 5, 10))
+    add = strider.driven_forward_dynamics(at, ad, forces)
+    np.testing.assert_allclose(strider.driven_inverse_dynamics(at, ad, add), forces, atol=1e-10)
+    whole = np.concatenate([ad[:, :6], ad[:, 6:] @ strider.rates(q).T], axis=1)
+    masses = strider.driven_mass_matrix(at)
+    np.testing.assert_allclose(np.einsum("ni,ij,nj->n", ad, masses, ad) / 2, strider.kinetic_energy(at, whole), rtol=1e-12)
+    assert strider.loop_forces(at, ad, add).shape == (5, 3)
+    with pytest.raises(ValueError, match="shape"):
+        strider.driven_mass_matrix(q)
+
+
 def test_loops_need_no_cxx_compiler():
     code = ("import qvgen, numpy, sys\n"
             "bar = qvgen.load(sys.argv[1], '--only', 'dynamics,kinematics,jacobian,assembly')\n"

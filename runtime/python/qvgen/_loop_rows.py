@@ -17,6 +17,13 @@ ARGUMENTS = {
     "forces": ("driven_count", "forces of the motors, N m or N"),
     "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
 }
+# What these are in dynamics of a robot whose base floats.
+ON_FLOATING_BASE = {
+    "q": ("configuration_size", "pose of the base, w x y z and metres, then joint positions of an assembly, rad or m"),
+    "ad": ("moved_count", "velocity of the base in its own frame, linear before angular, then rates of the driven joints"),
+    "add": ("moved_count", "accelerations of the base, its velocity's derivatives, then of the driven joints"),
+    "forces": ("moved_count", "force and moment on the base, in its own frame, then forces of the motors, N and N m"),
+}
 # name: arguments, of what it takes constants, shape of a row of the result, a line of text
 FUNCTIONS = {
     "loop_gaps": ("q", "geometry", "gap_count", "Gaps of the loops, m: zero where they are closed."),
@@ -78,13 +85,30 @@ FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
 """
 
 
-def entry_of_loops(name):
-    """Returns arguments, constants, shape and text of a function, those of a tip among them; None of any other."""
+def entry_of_loops(name, floats=False):
+    """Returns arguments, constants, shape and text of a function, those of a tip among them; None of any other. `floats`: the
+    robot's base does, so that dynamics are of the base, too."""
     match = re.fullmatch("(" + "|".join(OF_A_TIP) + r")_(\w+)", name)
+    if match is None and name in FUNCTIONS:
+        arguments, constants, shape, line = FUNCTIONS[name]
+        if floats and is_dynamics(constants):
+            shape = shape.replace("driven_count", "moved_count")
+            line += " Velocities, accelerations and motor forces begin with six of the base."
+        return arguments, constants, shape, line
     if match is None:
-        return FUNCTIONS.get(name)
+        return None
     arguments, constants, shape, line = OF_A_TIP[match[1]]
     return arguments, constants, shape, line.format(match[2])
+
+
+def is_dynamics(constants):
+    """True of functions that take inertial parameters."""
+    return "inertia" in constants
+
+
+def with_base(numbers):
+    """Counts of joints with those that a floating base adds."""
+    return {**numbers, "configuration_size": 7 + numbers["dof"], "moved_count": 6 + numbers["driven_count"]}
 
 
 def given_of(name):
@@ -115,6 +139,7 @@ class Loops:
         self.numbers.update({f"joints_of_{tip}_count": int(count) for tip, count in limbs})
         self.solved_tips = [name[len(OF_POSE):] for name in self.functions if name.startswith(OF_POSE)]
         self.tips = [name[len("pose_of_"):] for name in self.functions if name.startswith("pose_of_")]
+        self.base_floats = "driven_velocity_size" in text
 
     def tips_with_parts(self, robot):
         """Limbs of a robot with the parts of them whose functions are called."""
@@ -149,5 +174,6 @@ def _rows_of(name, numbers):
 
 def loop_rows(robot, loops):
     """C++ that runs functions of closed loops over rows, behind that of the robot's other functions."""
-    head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in loops.functions else "")
-    return head + "".join(_rows_of(name, loops.numbers) for name in loops.functions)
+    names = [name for name in loops.functions if not (loops.base_floats and name in FUNCTIONS and is_dynamics(FUNCTIONS[name][1]))]
+    head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in names else "")
+    return head + "".join(_rows_of(name, loops.numbers) for name in names)  # C has the dynamics of a floating base

@@ -9,7 +9,7 @@ import numpy as np
 from ._call import Rows, result
 from ._functions import made
 from ._inverse import solution_arrays
-from ._loop_rows import ARGUMENTS, argument_of, entry_of_loops, given_of
+from ._loop_rows import ARGUMENTS, ON_FLOATING_BASE, argument_of, entry_of_loops, given_of, is_dynamics, with_base
 from ._tables import sizes
 
 USUAL_TOLERANCE = 1e-13
@@ -38,11 +38,11 @@ argument has one."""
 
 
 def _numbers(robot):
-    return {**robot.loops.numbers, "dof": robot.header.numbers["dof"]}
+    return with_base({**robot.loops.numbers, "dof": robot.header.numbers["dof"]})
 
 
-def _doc(line, arguments, constants, shape):
-    rows = [(each, *ARGUMENTS[each]) for each in arguments]
+def _doc(line, arguments, meanings, constants, shape):
+    rows = [(each, *meanings[each]) for each in arguments]
     comma = "" if "," in shape or not shape else ","
     return "\n".join([line, "", *(f"{each}: ({size},) or (n, {size}), {meaning}" for each, size, meaning in rows),
                       *(f"{each}: {MEANINGS[each]}" for each in constants),
@@ -52,9 +52,11 @@ def _doc(line, arguments, constants, shape):
 
 def _plain(robot, name):
     """A function that gives an array for each row."""
-    listed, taken, shape, line = entry_of_loops(name)
+    floats = robot.loops.base_floats
+    listed, taken, shape, line = entry_of_loops(name, floats)
     arguments, constants, numbers = listed.split(), taken.split(), _numbers(robot)
-    rows = [(each, sizes(ARGUMENTS[each][0], numbers)) for each in arguments]
+    meanings = ARGUMENTS | (ON_FLOATING_BASE if floats and is_dynamics(constants) else {})
+    rows = [(each, sizes(meanings[each][0], numbers)) for each in arguments]
     row = sizes(shape, numbers)
 
     def call(given, geometry, inertia, gravity, out):
@@ -70,7 +72,7 @@ def _plain(robot, name):
 
     values = ", ".join(each if each in constants else repr(DEFAULTS[each]) for each in DEFAULTS)
     parameters = [*arguments, "*", *((each, DEFAULTS[each]) for each in constants), ("out", None)]
-    return made(name, parameters, f"({', '.join(arguments)},), {values}, out", _doc(line, arguments, constants, shape), call)
+    return made(name, parameters, f"({', '.join(arguments)},), {values}, out", _doc(line, arguments, meanings, constants, shape), call)
 
 
 def _set(robot, name):
