@@ -183,3 +183,27 @@ def test_rows_of_c_are_those_of_cxx(small):
     for one, other in zip(in_c, in_cxx):
         np.testing.assert_allclose(one, other, atol=1e-12)
     assert in_c.status[50] == qvgen.Status.invalid
+
+
+@pytest.fixture(scope="module")
+def strider():
+    """A robot whose base floats, with a leg on rods."""
+    return qvgen.load(ROBOTS.parents[1] / "floating/strider.toml", "--only", "dynamics,assembly")
+
+
+def test_a_floating_base_comes_before_the_motors(strider):
+    random = np.random.default_rng(5)
+    found = strider.assemble(random.uniform(-0.3, 0.3, (20, 4)))
+    joints = found.q[found.count > 0, 0]
+    count = len(joints)
+    turn = random.normal(size=(count, 4))
+    at = np.concatenate([turn / np.linalg.norm(turn, axis=1)[:, None], random.normal(size=(count, 3)), joints], axis=1)
+    ad, forces = random.normal(size=(2, count, 10))
+    add = strider.driven_forward_dynamics(at, ad, forces)
+    np.testing.assert_allclose(strider.driven_inverse_dynamics(at, ad, add), forces, atol=1e-8)
+    masses = strider.driven_mass_matrix(at)
+    qd = np.concatenate([ad[:, :6], np.einsum("kij,kj->ki", strider.rates(joints), ad[:, 6:])], axis=1)
+    np.testing.assert_allclose(np.einsum("ki,kij,kj->k", ad, masses, ad) / 2, strider.kinetic_energy(at, qd), rtol=1e-11)
+    qdd = np.concatenate([add[:, :6], strider.accelerations(joints, qd[:, 6:], add[:, 6:])], axis=1)
+    np.testing.assert_allclose(strider.inverse_dynamics(at, qd, qdd)[:, :6], forces[:, :6], atol=1e-8)
+    assert strider.loop_forces(at, ad, add).shape == (count, 3) and count > 10

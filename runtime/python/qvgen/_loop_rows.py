@@ -17,6 +17,13 @@ ARGUMENTS = {
     "forces": ("driven_count", "forces of the motors, N m or N"),
     "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
 }
+# Likewise of a robot whose base floats, in functions of dynamics; and the type in C++.
+OF_FLOATING_BASE = {
+    "q": ("7 + dof", "pose of the base in the world, w x y z, then metres, and joint positions of an assembly, rad or m"),
+    "ad": ("6 + driven_count", "velocity of the base in its own frame, linear, then angular, m/s and rad/s, and rates of the driven joints"),
+    "add": ("6 + driven_count", "derivatives of the numbers in ad"),
+    "forces": ("6 + driven_count", "force and moment on the base from outside, in its own frame, N and N m, and forces of the motors"),
+}
 # name: arguments, of what it takes constants, shape of a row of the result, a line of text
 FUNCTIONS = {
     "loop_gaps": ("q", "geometry", "gap_count", "Gaps of the loops, m: zero where they are closed."),
@@ -78,11 +85,25 @@ FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
 """
 
 
-def entry_of_loops(name):
+def moves_base(name, floats):
+    """True for functions of dynamics of a robot whose base floats."""
+    return floats and "inertia" in FUNCTIONS.get(name, ("", ""))[1]
+
+
+def row_of(argument, name, floats):
+    """Returns the length of a row of a function's argument, and what it is."""
+    return (OF_FLOATING_BASE if moves_base(name, floats) else ARGUMENTS)[argument]
+
+
+def entry_of_loops(name, floats=False):
     """Returns arguments, constants, shape and text of a function, those of a tip among them; None of any other."""
     match = re.fullmatch("(" + "|".join(OF_A_TIP) + r")_(\w+)", name)
     if match is None:
-        return FUNCTIONS.get(name)
+        entry = FUNCTIONS.get(name)
+        if not moves_base(name, floats):
+            return entry
+        arguments, constants, shape, line = entry
+        return arguments, constants, shape.replace("driven_count", "6 + driven_count"), line + " The six numbers of the base come first." if "driven" in shape else line
     arguments, constants, shape, line = OF_A_TIP[match[1]]
     return arguments, constants, shape, line.format(match[2])
 
@@ -106,6 +127,7 @@ class Loops:
 
     def __init__(self, text):
         declared = dict.fromkeys(re.findall(r"^(?:inline )?[\w:<>, ]+ (\w+)\(const ", text, re.MULTILINE))
+        self.is_floating = "DrivenVelocity" in text
         self.functions = [name for name in declared if given_of(name) or name == "follow" or entry_of_loops(name)]
         self.numbers = {name: int(value) for name, value in re.findall(r"constexpr int (\w+_count) = (\d+);", text)}
         lists = re.findall(r"constexpr std::array<int, \w+> ((?:driven|passive|output)_joints)\{([^}]*)\};", text)
@@ -131,23 +153,30 @@ def _read(argument, place, count=None):
     return f"vector<Eigen::Matrix<double, {size}, 1>>(row<double>(c, {place}, k))"
 
 
-def _function(name):
+def _read_moved(argument, place):
+    """C++ that reads an argument where the base floats."""
+    row = f"row<double>(c, {place}, k)"
+    return f"configuration<arm::Configuration<double>>({row})" if argument == "q" else f"vector<arm::DrivenVelocity>({row})"
+
+
+def _function(name, floats):
     arguments, constants, *_ = entry_of_loops(name)
+    read = _read_moved if moves_base(name, floats) else _read
     constants = constants.split()
     taken = {"geometry": "g", "inertia": "i", "gravity": "c->numbers[0]"}
-    values = [*(_read(each, place) for place, each in enumerate(arguments.split())), *(taken[each] for each in constants)]
+    values = [*(read(each, place) for place, each in enumerate(arguments.split())), *(taken[each] for each in constants)]
     lines = ["const auto g = geometry(c);", *(["const auto i = inertia(c);"] if "inertia" in constants else [])]
     return FUNCTION.format(name=name, constants="\n  ".join(lines), values=", ".join(values))
 
 
-def _rows_of(name, numbers):
+def _rows_of(name, numbers, floats):
     given = given_of(name)
     if given:
         return SET.format(name=name, given=_read(given, 0, numbers.get(f"{given}_count")))
-    return FOLLOW.format(given=_read("a", 0)) if name == "follow" else _function(name)
+    return FOLLOW.format(given=_read("a", 0)) if name == "follow" else _function(name, floats)
 
 
 def loop_rows(robot, loops):
     """C++ that runs functions of closed loops over rows, behind that of the robot's other functions."""
     head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in loops.functions else "")
-    return head + "".join(_rows_of(name, loops.numbers) for name in loops.functions)
+    return head + "".join(_rows_of(name, loops.numbers, loops.is_floating) for name in loops.functions)

@@ -10,7 +10,7 @@
 import math
 import re
 
-from ._loop_rows import entry_of_loops, given_of
+from ._loop_rows import entry_of_loops, given_of, moves_base
 from ._tables import sizes
 
 PLAIN = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
@@ -51,10 +51,12 @@ FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
 """
 
 
-def _plain(robot, name, numbers):
-    listed, constants, shape, _ = entry_of_loops(name)
+def _plain(robot, name, numbers, floats):
+    listed, constants, shape, _ = entry_of_loops(name, floats)
     taken = {"geometry": "c->geometry", "inertia": "c->inertia", "gravity": "c->numbers[0]"}
     rows = [f"row(c, {place}, k)" for place, _ in enumerate(listed.split())]
+    if moves_base(name, floats):  # the joints stand behind the base's pose
+        rows.insert(1, "row(c, 0, k) + 7")
     values = ", ".join([*rows, *(taken[each] for each in constants.split())])
     if not shape:
         return PLAIN.format(name=name, call=f"*(double*)result(c, 0, k, 1) = {robot}_{name}({values})")
@@ -66,6 +68,7 @@ def _plain(robot, name, numbers):
 def loop_rows_in_c(robot, text, numbers):
     """C of all that the header `text` declares. `numbers`: counts of joints, by name."""
     names = dict.fromkeys(re.findall(rf"^(?:void|int|double) {robot}_(\w+)\(", text, re.MULTILINE))
+    floats = "double base[7]" in text
     code = f'#include "qvgen_{robot}_loops.h"\n'
     for name in names:
         if given_of(name):
@@ -74,5 +77,5 @@ def loop_rows_in_c(robot, text, numbers):
         elif name == "follow":
             code += FOLLOW.format(robot=robot, dof=numbers["dof"])
         else:
-            code += _plain(robot, name, numbers)
+            code += _plain(robot, name, numbers, floats)
     return code

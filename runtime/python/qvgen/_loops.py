@@ -9,7 +9,7 @@ import numpy as np
 from ._call import Rows, result
 from ._functions import made
 from ._inverse import solution_arrays
-from ._loop_rows import ARGUMENTS, argument_of, entry_of_loops, given_of
+from ._loop_rows import argument_of, entry_of_loops, given_of, row_of
 from ._tables import sizes
 
 USUAL_TOLERANCE = 1e-13
@@ -41,8 +41,7 @@ def _numbers(robot):
     return {**robot.loops.numbers, "dof": robot.header.numbers["dof"]}
 
 
-def _doc(line, arguments, constants, shape):
-    rows = [(each, *ARGUMENTS[each]) for each in arguments]
+def _doc(line, rows, constants, shape):
     comma = "" if "," in shape or not shape else ","
     return "\n".join([line, "", *(f"{each}: ({size},) or (n, {size}), {meaning}" for each, size, meaning in rows),
                       *(f"{each}: {MEANINGS[each]}" for each in constants),
@@ -52,9 +51,11 @@ def _doc(line, arguments, constants, shape):
 
 def _plain(robot, name):
     """A function that gives an array for each row."""
-    listed, taken, shape, line = entry_of_loops(name)
+    floats = robot.loops.is_floating
+    listed, taken, shape, line = entry_of_loops(name, floats)
     arguments, constants, numbers = listed.split(), taken.split(), _numbers(robot)
-    rows = [(each, sizes(ARGUMENTS[each][0], numbers)) for each in arguments]
+    told = [(each, *row_of(each, name, floats)) for each in arguments]
+    rows = [(each, sizes(size, numbers)) for each, size, _ in told]
     row = sizes(shape, numbers)
 
     def call(given, geometry, inertia, gravity, out):
@@ -70,7 +71,7 @@ def _plain(robot, name):
 
     values = ", ".join(each if each in constants else repr(DEFAULTS[each]) for each in DEFAULTS)
     parameters = [*arguments, "*", *((each, DEFAULTS[each]) for each in constants), ("out", None)]
-    return made(name, parameters, f"({', '.join(arguments)},), {values}, out", _doc(line, arguments, constants, shape), call)
+    return made(name, parameters, f"({', '.join(arguments)},), {values}, out", _doc(line, told, constants, shape), call)
 
 
 def _set(robot, name):
