@@ -174,6 +174,43 @@ TEST(FloatingBase, IsChosenAmongSeveralFreeBodies) {
   EXPECT_EQ(chosen.robot->joints.front().variable, "two_j");
 }
 
+/// A crank and a rocker on a torso, and what <equality> ties.
+std::string with_loops(const std::string& more, const std::string& equality) {
+  const auto turning = [](const std::string& name, const std::string& at) {
+    return "<body name='" + name + "' pos='" + at + "'><joint name='" + name +
+           "' axis='0 1 0'/><inertial pos='0 0 0.1' mass='1' diaginertia='1 1 1'/></body>";
+  };
+  return "<mujoco model='r'><worldbody><body name='torso'><freejoint/><inertial pos='0 0 0' mass='5' "
+         "diaginertia='1 1 1'/>" +
+         turning("crank", "0 0 0") + turning("rocker", "0.3 0 0") + more + "</body></worldbody><equality>" +
+         equality + "</equality><actuator><motor joint='crank'/></actuator></mujoco>";
+}
+
+/// A rod whose end is on the base gives it half of its mass.
+TEST(FloatingBase, HasLoopsAndTheMassOfRodsOnIt) {
+  const ReadResult result = floating(
+      with_loops("<body name='rod' pos='0 0.1 0.1'><joint name='ball' type='ball'/><inertial pos='0.1 0 0' "
+                 "mass='0.5' diaginertia='1e-3 1e-3 1e-3'/></body>",
+                 "<connect body1='rod' body2='rocker' anchor='0.2 0 0'/>"));
+  ASSERT_TRUE(result.robot) << messages(result);
+  ASSERT_EQ(result.loops.closures.size(), 1U) << messages(result);
+  EXPECT_EQ(result.loops.closures[0].type, model::LoopType::rod);
+  EXPECT_EQ(number(result.robot->floating_base->mass), 5.25);
+  EXPECT_NEAR(number(result.robot->floating_base->centre_of_mass[1]), 0.25 * 0.1 / 5.25, 1e-12);
+  const ReadResult again =
+      read_text(write_text(model::Mechanism{*result.robot, result.tips, result.loops}), "r.toml");
+  ASSERT_TRUE(again.robot) << messages(again);
+  EXPECT_EQ(again.loops.closures.size(), 1U);
+  EXPECT_EQ(number(again.robot->floating_base->mass), 5.25);
+}
+
+TEST(FloatingBase, IsTiedToNothing) {
+  const ReadResult result = floating(with_loops("", "<connect body1='rocker' anchor='0.3 0 0'/>"));
+  EXPECT_FALSE(result.robot);
+  EXPECT_NE(messages(result).find("the base floats, and a loop ties it to 'world'"), std::string::npos)
+      << messages(result);
+}
+
 TEST(FloatingBase, WithoutJointsIsNoRobot) {
   const ReadResult result = floating("<robot name=\"r\">" + link("stone") + "</robot>");
   EXPECT_FALSE(result.robot);

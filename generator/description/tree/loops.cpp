@@ -50,7 +50,11 @@ class Closing {
   std::optional<model::Frame> place_of(const Closure& closure, std::size_t end) {
     const std::size_t node = closure.nodes.at(end);
     const auto place = reader_->find_place(node);
-    if (!place)
+    if (!place && robot_->floating_base)
+      context_->error(closure.place, "the base floats, and a loop ties it to '" + (*nodes_)[node].name + "'",
+                      "leave the loop out, for what holds a foot is a contact (qvgen/contacts.h), or leave "
+                      "--floating out");
+    else if (!place)
       context_->error(closure.place,
                       "a loop at '" + (*nodes_)[node].name + "', which does not belong to the robot",
                       "choose another --base, or leave the loop out");
