@@ -17,7 +17,7 @@ ARGUMENTS = {
     "forces": ("driven_count", "forces of the motors, N m or N"),
     "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
 }
-# The same arguments in dynamics of a robot whose base floats.
+# In dynamics of a robot whose base floats these are other rows:
 ON_FLOATING_BASE = {
     "q": ("configuration_size", "pose of the base, w x y z and metres, then joint positions of an assembly, rad or m"),
     "ad": ("moved_count", "velocity of the base in its own frame, linear before angular, then rates of the driven joints"),
