@@ -84,8 +84,8 @@ tree::Loops loops_of(const Table& root) {
     return closures;
   };
   loops.leave_out = [&root] {
-    root.context().error(
-        root.place_of("loop"), "loops of a chain", "loops belong to whole robots: leave --tip out");
+    root.context().error(root.place_of("loop"), "loops of a chain",
+                         "loops belong to whole robots: leave --tip out");
   };
   loops.actuated = joints_of(root, "actuated");
   loops.outputs = joints_of(root, "outputs");

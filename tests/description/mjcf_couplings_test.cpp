@@ -142,10 +142,9 @@ TEST(MjcfCouplings, WhatTiesNoTwoJointsIsTold) {
             "with both if it shall follow\n");
   ReadOptions to_the_end;
   to_the_end.tip = "b3";
-  EXPECT_EQ(
-      report(chain(equality("<weld body1=\"b1\"/>")), to_the_end),
-      "7:11: warning: <weld> of <equality> is not read: joints move freely; loops belong to whole "
-      "robots, without --tip\n");
+  EXPECT_EQ(report(chain(equality("<weld body1=\"b1\"/>")), to_the_end),
+            "7:11: warning: <weld> of <equality> is not read: joints move freely; loops belong to whole "
+            "robots, without --tip\n");
   EXPECT_EQ(report(chain("<tendon><fixed name=\"t\"/></tendon>\n")),
             "7:1: warning: <tendon> is not read; add its forces to what the dynamics gives\n");
   EXPECT_EQ(report(chain(equality("<joint joint1=\"j2\" joint2=\"j1\" active=\"false\"/>"))), "");

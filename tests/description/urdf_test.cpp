@@ -239,7 +239,8 @@ TEST(Urdf, MistakesInNumbers) {
       report_joint("floating", ""),
       "4:23: error: the joint 'j' is floating; a chain has revolute, continuous, prismatic and fixed joints: "
       "choose --base behind it, or read the whole robot with --floating\n");
-  EXPECT_EQ(report_joint("revolut", ""), "4:23: error: unknown joint type 'revolut'; did you mean 'revolute'?\n");
+  EXPECT_EQ(report_joint("revolut", ""),
+            "4:23: error: unknown joint type 'revolut'; did you mean 'revolute'?\n");
   EXPECT_EQ(
       report_joint("hinge", ""),
       "4:23: error: the joint 'j' is hinge; did you mean 'revolute', or 'continuous' without limits?\n");
