@@ -74,18 +74,30 @@ Joints<dof> loop_bias(const detail::LinearSystem<rows>& factors,
   return result;
 }
 
+namespace detail {
+
+/// A vector whose last `old` numbers are replaced by others. Those before them are of a floating base, or
+/// none.
+template <int old, int size, int count>
+Eigen::Matrix<double, size - old + count, 1> behind_base(const Eigen::Matrix<double, size, 1>& of,
+                                                         const Eigen::Matrix<double, count, 1>& joints) {
+  constexpr int base = size - old;
+  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
+  Eigen::Matrix<double, base + count, 1> result;
+  result.template head<base>() = of.template head<base>();
+  result.template tail<count>() = joints;
+  return result;
+}
+
+}  // namespace detail
+
 /// Motion of a floating base, which passes through, and of all joints, from those of the base and of the
 /// given joints. Without a base `motion` has as many numbers as `rates` has columns.
 template <int dof, int given, int size>
 Eigen::Matrix<double, size - given + dof, 1> whole_motion(const Eigen::Matrix<double, dof, given>& rates,
                                                           const Eigen::Matrix<double, size, 1>& motion) {
-  constexpr int base = size - given;
-  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
   const Eigen::Matrix<double, given, 1> by = motion.template tail<given>();
-  Eigen::Matrix<double, base + dof, 1> result;
-  result.template head<base>() = motion.template head<base>();
-  result.template tail<dof>() = rates * by;
-  return result;
+  return detail::behind_base<given>(motion, Joints<dof>(rates * by));
 }
 
 /// Wrench on a floating base, which passes through, and forces of the motors, from the wrench and forces of
@@ -93,13 +105,8 @@ Eigen::Matrix<double, size - given + dof, 1> whole_motion(const Eigen::Matrix<do
 template <int dof, int given, int size>
 Eigen::Matrix<double, size - dof + given, 1> motor_forces(const Eigen::Matrix<double, dof, given>& rates,
                                                           const Eigen::Matrix<double, size, 1>& forces) {
-  constexpr int base = size - dof;
-  static_assert(base == 0 || base == 6, "the six motions of a base, or none");
-  const Eigen::Matrix<double, dof, 1> of_joints = forces.template tail<dof>();
-  Eigen::Matrix<double, base + given, 1> result;
-  result.template head<base>() = forces.template head<base>();
-  result.template tail<given>() = rates.transpose() * of_joints;
-  return result;
+  const Joints<dof> of_joints = forces.template tail<dof>();
+  return detail::behind_base<dof>(forces, Joints<given>(rates.transpose() * of_joints));
 }
 
 /// Mass matrix of a floating base, if there is one, and the given joints, from that of the base and all
