@@ -174,7 +174,7 @@ void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
     EXPECT_NEAR(found[6 + i], expected[6 + standing.driven[static_cast<std::size_t>(i)]], 2e-6 * scale);
   const VectorXd again = m.forces(pose, q, velocity, found);
   expect_close(again, joined(wrench, motors), 1e-10 * (1 + reference::largest(masses * found)));
-  // Loops do no work: forces of motors and loops move the open tree.
+  // Which forces these are is tried in tests/floating and tests/python.
   EXPECT_TRUE(m.loop_forces(pose, q, velocity, found).allFinite());
   // A base that is held gives the numbers of one that stands still.
   const VectorXd upright = VectorXd::Unit(7, 0), none = VectorXd::Zero(6);

@@ -179,7 +179,12 @@ def test_dynamics_on_a_base_that_floats():
     whole = np.concatenate([ad[:, :6], ad[:, 6:] @ strider.rates(q).T], axis=1)
     masses = strider.driven_mass_matrix(at)
     np.testing.assert_allclose(np.einsum("ni,ij,nj->n", ad, masses, ad) / 2, strider.kinetic_energy(at, whole), rtol=1e-12)
-    assert strider.loop_forces(at, ad, add).shape == (5, 3)
+    # Forces of motors and loops, by the gaps' derivatives, are those of the open tree.
+    gaps = np.stack([strider.loop_gaps(q + step) - strider.loop_gaps(q - step) for step in STEP * np.eye(7)]) / (2 * STEP)
+    held = strider.loop_forces(at, ad, add) @ gaps.T
+    held[:, strider.driven_joints] += forces[:, 6:]
+    qdd = np.concatenate([add[:, :6], strider.accelerations(q, whole[:, 6:], add[:, 6:])], axis=1)
+    np.testing.assert_allclose(np.concatenate([forces[:, :6], held], axis=1), strider.inverse_dynamics(at, whole, qdd), atol=1e-6)
     with pytest.raises(ValueError, match="shape"):
         strider.driven_mass_matrix(q)
 
