@@ -4,7 +4,7 @@
     python3 stack_test.py QVGEN FOLDER CC "LEVEL..." ROBOT...
 
 A line "Stack: at most N bytes." is held against GCC's own graph of calls (-fcallgraph-info=su): the deepest chain of frames from each
-public function, at levels of optimisation such as -O2, or -O3:velocity for that of one file alone. Functions of libm are not
+public function, at levels of optimisation such as -O2, or -O3:_velocity for that of one file alone. Functions of libm are not
 counted on either side. No level may warn of anything. Skipped where the compiler is not GCC.
 """
 import pathlib

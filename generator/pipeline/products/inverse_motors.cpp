@@ -171,8 +171,8 @@ std::string obstacle_of_motors(const model::Robot& described) {
   if (!model::has_followers(described) || model::inverse_shares(described)) return "";
   const std::size_t joints = described.joints.size(), motors = model::driven_count(described);
   return fmt::format(
-      "{} {} move {} joints: it is for arms with as many as joints, and for bars that are written as "
-      "[[loop]]s",
+      "{} {} move {} joints, and each joint needs its own; a bar that moves a joint may be written as a "
+      "[[loop]]",
       motors, described.motors.empty() ? "joints that follow none" : "motors", joints);
 }
 

@@ -4,5 +4,5 @@
 #pragma once
 
 // There is no inverse for this robot:
-//   2 joints that follow none move 3 joints: it is for arms with as many as joints, and for bars that are written as
-//   [[loop]]s
+//   2 joints that follow none move 3 joints, and each joint needs its own; a bar that moves a joint may be written as a
+//   [[loop]]
