@@ -49,6 +49,9 @@ std::string by_position(Attempt& attempt);
 std::string by_pitch(Attempt& attempt);
 /// Five joints and an inclination: as by_pitch, and a last joint that rolls the tool.
 std::string by_inclination(Attempt& attempt);
+/// Five joints that keep the tool level: as by_pitch with the pitch that the description has at zero, and a
+/// last joint about the direction of the first.
+std::string by_level(Attempt& attempt);
 /// Parallel revolute joints in a plane: two of them with a position, three with an orientation too.
 std::string in_plane(Attempt& attempt);
 /// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two

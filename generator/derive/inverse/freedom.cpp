@@ -148,4 +148,14 @@ std::string dependent_joints_about(const Attempt& attempt, std::size_t k) {
   return "at every pose they can move without moving it";
 }
 
+std::string dependent_joints_of_level(const Attempt& attempt) {
+  for (const long place : {1, 2, 3}) {
+    const Placed placed(attempt, place);
+    std::vector<Column> columns;
+    for (std::size_t joint = 0; joint < 3; ++joint) columns.push_back(placed.column_about(joint, 3));
+    if (independent(std::move(columns), 3)) return "";
+  }
+  return "at every pose some joints can move without moving the last axis";
+}
+
 }  // namespace qvgen::derive::inverse

@@ -22,6 +22,10 @@ std::string dependent_joints_of_pitch(const Attempt& attempt);
 /// change: empty if the others move the tool point and incline the tool in every way at an ordinary place.
 std::string dependent_joints_of_inclination(const Attempt& attempt);
 
+/// Names the dependent joints of five that keep the tool level: empty if the first three of them move a point
+/// on the last axis in every way at an ordinary place.
+std::string dependent_joints_of_level(const Attempt& attempt);
+
 /// Names the dependent joints of an arm whose joint k of four has a point on its axis that the three others
 /// place.
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k);

@@ -8,6 +8,7 @@
 #include "derive/inverse/exchange.h"
 #include "derive/inverse/freedom.h"
 #include "derive/inverse/lengths.h"
+#include "derive/inverse/level.h"
 #include "derive/inverse/range_test.h"
 #include "derive/inverse/results.h"
 #include "derive/inverse/schedule.h"
@@ -107,6 +108,12 @@ Derivation derive_orientation(const Problem& problem) { return first_of(problem,
 Derivation derive_pitch(const Problem& problem) { return first_of(problem, {by_pitch}); }
 
 Derivation derive_inclination(const Problem& problem) { return first_of(problem, {by_inclination}); }
+
+Derivation derive_level(const Problem& problem) {
+  Derivation derivation = first_of(problem, {by_level});
+  if (derivation.found) derivation.problem.balance = balance_of(Attempt(problem));
+  return derivation;
+}
 
 Derivation in_canonical_frames(const Problem& problem,
                                const std::function<Derivation(const Problem&)>& derived) {

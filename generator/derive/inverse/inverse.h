@@ -34,6 +34,8 @@ Derivation derive_orientation(const Problem& problem);
 Derivation derive_pitch(const Problem& problem);
 /// Derives the tool point and the direction of the first joint's axis as the tool sees it.
 Derivation derive_inclination(const Problem& problem);
+/// Derives five joints that keep the tool level, for a position and a yaw.
+Derivation derive_level(const Problem& problem);
 
 /// Derives from the problem's arm in canonical frames: if its joints' zeros hide that a wrist has right
 /// angles, frames along the common normals show it.

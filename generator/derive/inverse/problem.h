@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "canonical/arm.h"
@@ -17,6 +18,14 @@ namespace qvgen::derive::inverse {
 /// Part of a pose that the rows of a plan may still miss, so that it is checked.
 enum class Filter { none, position, pose };
 
+/// Joints whose turns add up to nothing, so that they move what is behind them without turning it. With all
+/// joints of the described arm at zero the sum is zero.
+struct Balance {
+  std::vector<std::pair<int, int>> turns;  ///< places in a row, and 1 or -1: the sense of its axis
+
+  [[nodiscard]] bool empty() const { return turns.empty(); }
+};
+
 struct Problem {
   model::Robot robot;  ///< the arm that the plan is of
   model::Task task = model::Task::pose;
@@ -29,6 +38,7 @@ struct Problem {
   int heading = -1;  ///< the joint about whose axis the heading turns, by its place, if it is the given one
   Filter filter = Filter::none;
   model::Vector3 tool_axis;  ///< of the tool's frame, for tasks with a direction
+  Balance balance;           ///< of the joints that a plan keeps balanced
 
   // Relation of the described arm to `robot`, if that has canonical frames.
   model::Robot described;  ///< the arm as it is described, virtual joints behind its tool

@@ -91,9 +91,11 @@ Derivation candidates(const Robot& robot, Task task, Filter filter, std::size_t 
   return with_slides(problem, count, derived);
 }
 
-/// A palletiser: what a direction leaves is looked at, and of all poses those with the tool level are asked
-/// for.
+/// A palletiser. If its joints do not move in a plane, what a direction leaves is looked at, and of all poses
+/// those with the tool level are asked for.
 Derivation kept_level(const Robot& robot) {
+  Derivation level = in_canonical_frames(problem_of(robot, Task::position_and_yaw), derive_level);
+  if (level.found) return level;
   Derivation derivation = with_direction(robot, Task::position_and_yaw, derive_pose);
   derivation.problem.filter = Filter::pose;
   return derivation;

@@ -70,6 +70,19 @@ Values target(const model::Bindings& geometry, const Pair& pose) {
   return values;
 }
 
+/// Random joints. Of those that are balanced the last one keeps the balance.
+std::vector<Real> sampled_joints(const Problem& problem, Numbers& numbers) {
+  std::vector<Real> q;
+  for (int i = 0; i < problem.row_size; ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
+  if (problem.balance.empty()) return q;
+  const auto [kept, own_sense] = problem.balance.turns.back();
+  Real sum(0);
+  for (const auto& [place, sense] : problem.balance.turns)
+    if (place != kept) sum = sum + Real(sense) * q[static_cast<std::size_t>(place)];
+  q[static_cast<std::size_t>(kept)] = Real(-own_sense) * sum;
+  return q;
+}
+
 /// Random values of the symbols without default, and those of the names that stand for constants and for what
 /// is made of symbols.
 model::Bindings sampled_geometry(const Problem& problem, Numbers& numbers) {
@@ -103,8 +116,7 @@ InverseCertificate certify_inverse(const Problem& problem, const LoweredPlan& pl
   for (int k = 0; k < poses; ++k) {
     const model::Bindings geometry = sampled_geometry(problem, numbers);
     const DescribedArm arm(problem, geometry);
-    std::vector<Real> q;
-    for (int i = 0; i < problem.row_size; ++i) q.emplace_back(cln::cl_R(numbers.between(-3, 3)));
+    const std::vector<Real> q = sampled_joints(problem, numbers);
     const Pair pose = arm.pose(q);
     Values values = target(geometry, arm.pose_of_plan(asked(pose, problem.task)));
     if (problem.given >= 0) values[held_parameter(problem)] = arm.value_of_plan(q, problem.given);
