@@ -121,11 +121,11 @@ bool has_independent_motors(const Robot& robot) {
 }
 
 std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& robot) {
-  const std::size_t size = robot.joints.size();
-  if (driven_count(robot) != size) return std::nullopt;
+  const std::size_t motors = driven_count(robot);
   std::vector<Row> rows = with_unit(robot);
-  if (!reduce(rows, size)) return std::nullopt;
-  for (Row& row : rows) row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size));
+  if (!reduce(rows, motors)) return std::nullopt;
+  rows.resize(motors);
+  for (Row& row : rows) row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(motors));
   return rows;
 }
 

@@ -20,6 +20,9 @@ struct Derivation {
 /// or the most that it can follow; or the reasons why there is none.
 Derivation derive(const model::Robot& robot);
 
+/// Makes a problem with a part of a pose one whose rows are looked at for whole poses.
+void ask_for_poses(Problem& problem);
+
 /// Arms with one joint too many: that joint is held at a value that the caller gives. One derivation for each
 /// that the description names, or the one that leaves the shortest way; all are found, or none is.
 std::vector<Derivation> derive_given(const model::Robot& robot);

@@ -265,11 +265,14 @@ Derivation derive(const Robot& robot) {
                                  " is none for this arm: it may be asked for " + tasks);
   if (!derivation.found)
     for (const std::string& other : other_task(robot)) derivation.reasons.push_back(other);
-  if (derivation.found && asked == Task::pose && derivation.problem.task != Task::pose) {
-    derivation.problem.task = Task::pose;
-    derivation.problem.filter = Filter::pose;
-  }
+  if (derivation.found && asked == Task::pose) ask_for_poses(derivation.problem);
   return derivation;
+}
+
+void ask_for_poses(Problem& problem) {
+  if (problem.task == Task::pose) return;
+  problem.task = Task::pose;
+  problem.filter = Filter::pose;
 }
 
 namespace {

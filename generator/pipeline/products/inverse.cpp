@@ -228,7 +228,7 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   if (!derivation.eliminations.empty()) return add_eliminations(described, derivation, output);
   if (!derivation.found()) return add_reasons(derivation, output);
   json values = values_of(derivation.arm, derivation, Language::cxx, output);
-  add_motors(described, values);
+  add_motors(derivation.coupled, values);
   add_outer_joints(described, derivation.outer, emit::cpp(), values);
   take_outer_names(values, output.counts);
   output.files.push_back(
@@ -255,7 +255,7 @@ void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
   }
   if (!derivation.found()) return add_reasons(derivation, output);
   json values = values_of(derivation.arm, derivation, Language::c, output);
-  add_public_functions_in_c(described, derivation.outer, values);
+  add_public_functions_in_c(derivation.coupled, derivation.outer, values);
   take_outer_names(values, output.counts);
   add_c_files(output, "inverse", emit::c::inverse_kinematics(described, derivation.arm, values));
   add_c_files(output, "metrics", emit::c::metrics(described));

@@ -105,7 +105,7 @@ json inverse_batch_values(const model::Robot& robot) {
   const json& variants = values["variants"];
   values["has_lanes"] = std::any_of(variants.begin(), variants.end(),
                                     [](const json& each) { return each["lanes"].is_object(); });
-  add_motors(robot, values);
+  add_motors(derivation.coupled, values);
   add_outer_joints(robot, derivation.outer, emit::cpp(), values);
   return values;
 }

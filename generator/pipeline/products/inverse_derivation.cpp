@@ -5,6 +5,7 @@
 
 #include "derive/inverse/freedom.h"
 #include "model/followers.h"
+#include "model/merged_joints.h"
 #include "model/private_names.h"
 #include "pipeline/products/brief_reasons.h"
 #include "pipeline/products/inverse_motors.h"
@@ -73,11 +74,34 @@ void leave_out_coupled(const model::Robot& robot, std::vector<Form>& forms,
   std::erase_if(forms, is_coupled);
 }
 
+/// Adds the closed form of an arm one of whose joints keeps its tool level.
+void add_level_form(const model::Robot& coupled, InverseDerivation& result) {
+  model::Robot robot = model::with_private_names(result.arm);
+  const auto asked = robot.inverse.task;
+  robot.inverse.task = model::Task::position_and_yaw;
+  derive::inverse::Derivation derivation = derive::inverse::derive(robot);
+  const bool may_be_asked = !asked || *asked == model::Task::pose || *asked == model::Task::position_and_yaw;
+  if (derivation.found && may_be_asked && keeps_balance(coupled, derivation.problem.balance)) {
+    if (asked == model::Task::pose) derive::inverse::ask_for_poses(derivation.problem);
+    result.closed_forms.push_back(std::move(derivation));
+    return;
+  }
+  result.reasons = {
+      "4 motors move 5 joints: three of these, behind the first, would have to keep the tool level by the "
+      "sum "
+      "of their turns, and the task to be a position and a yaw, or a pose"};
+}
+
 InverseDerivation derive_without_outer_joints(const model::Robot& robot) {
-  const model::Robot described = model::in_joints(robot);
   InverseDerivation result;
-  if (const std::string reason = obstacle_of_motors(robot); !reason.empty()) {
+  result.coupled = model::with_merged_joints(robot);
+  const model::Robot described = result.arm = model::in_joints(result.coupled);
+  if (const std::string reason = obstacle_of_motors(result.coupled); !reason.empty()) {
     result.reasons = {reason};
+    return result;
+  }
+  if (has_a_joint_over(result.coupled)) {
+    add_level_form(result.coupled, result);
     return result;
   }
   const bool has_no_structure = derive::inverse::lacks_structure(described);
@@ -85,10 +109,9 @@ InverseDerivation derive_without_outer_joints(const model::Robot& robot) {
   const bool may_have_others = result.found() || add_closed_forms(described, result);
   if (!result.found() && !has_no_structure && may_have_others) add_eliminations(described, result);
   if (has_faint_quartic(described, result)) replace_by_eliminations(described, result);
-  leave_out_coupled(robot, result.closed_forms, result.reasons);
-  leave_out_coupled(robot, result.eliminations, result.reasons);
+  leave_out_coupled(result.coupled, result.closed_forms, result.reasons);
+  leave_out_coupled(result.coupled, result.eliminations, result.reasons);
   result.reasons = brief_reasons(result.reasons, described.joints.size());
-  result.arm = described;
   return result;
 }
 
@@ -99,6 +122,7 @@ InverseDerivation derive_with_outer_joints(const model::Robot& robot) {
   if (model::has_followers(robot)) return result;
   for (const OuterJoints& way : ways_to_give(robot)) {
     result = derive_without_outer_joints(way.inner);
+    result.coupled = robot;
     result.outer = way;
     if (result.found()) break;
   }

@@ -19,7 +19,8 @@ struct InverseDerivation {
   /// Only if there is no closed form, or none but a quartic that is much slower.
   std::vector<derive::inverse::EliminationDerivation> eliminations;
   std::vector<std::string> reasons;  ///< of what was not found, also if something else was
-  model::Robot arm = {};  ///< what it is derived for: the robot in joints, without its outer joints
+  model::Robot arm = {};      ///< what it is derived for: the robot in joints, without its outer joints
+  model::Robot coupled = {};  ///< the same joints with what they follow
   std::optional<OuterJoints> outer = {};  ///< the arm's, if several joints are given
 
   [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }

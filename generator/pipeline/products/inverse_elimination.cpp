@@ -143,7 +143,7 @@ void add_eliminations(const model::Robot& robot, const InverseDerivation& derive
     add_targets(derivation.problem, values["variants"].back(), targets);
   }
   conclude_variants(values);
-  add_motors(robot, values);
+  add_motors(derived.coupled, values);
   add_outer_joints(robot, derived.outer, emit::cpp(), values);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});

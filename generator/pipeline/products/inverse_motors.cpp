@@ -149,7 +149,8 @@ json relation(const model::Robot& described, const Words& words) {
           {"motors_by_joints", entries_of(inverse)},
           {"joint_kinds", kinds_of(described)},
           {"joint_count", matrix.size()},
-          {"entry_count", matrix.size() * matrix.size()},
+          {"has_joint_over", matrix.size() > inverse.size()},
+          {"entry_count", matrix.size() * inverse.size()},
           {"values", values_of(described, matrix, turns, words)},
           {"value_count", values},
           {"turns", turns_of(turns, words)},
@@ -167,13 +168,28 @@ int motor_of(const model::Robot& robot, int joint) {
 
 }  // namespace
 
-std::string obstacle_of_motors(const model::Robot& described) {
-  if (!model::has_followers(described) || model::inverse_shares(described)) return "";
-  const std::size_t joints = described.joints.size(), motors = model::driven_count(described);
+std::string obstacle_of_motors(const model::Robot& coupled) {
+  const std::size_t joints = coupled.joints.size(), motors = model::driven_count(coupled);
+  const bool may_have_one = model::inverse_shares(coupled) && (joints == motors || has_a_joint_over(coupled));
+  if (!model::has_followers(coupled) || may_have_one) return "";
   return fmt::format(
-      "{} {} move {} joints, and each joint needs its own; a bar that moves a joint may be written as a "
-      "[[loop]]",
-      motors, described.motors.empty() ? "joints that follow none" : "motors", joints);
+      "{} {} move {} joints, and each joint needs its own, but one that keeps the tool of five level; a bar "
+      "that moves a joint may be written as a [[loop]]",
+      motors, coupled.motors.empty() ? "joints that follow none" : "motors", joints);
+}
+
+bool has_a_joint_over(const model::Robot& coupled) {
+  return coupled.joints.size() == 5 && model::driven_count(coupled) == 4;
+}
+
+bool keeps_balance(const model::Robot& coupled, const derive::inverse::Balance& balance) {
+  Row sum(model::driven_count(coupled), 0);
+  const std::vector<Row> rows = matrix_of(coupled);
+  for (const auto& [joint, sense] : balance.turns)
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] = sum[k] + sense * rows[static_cast<std::size_t>(joint)][k];
+  return !balance.empty() &&
+         std::all_of(sum.begin(), sum.end(), [](const cln::cl_RA& x) { return cln::zerop(x); });
 }
 
 void add_motors(const model::Robot& described, json& values) {

@@ -22,8 +22,8 @@ namespace inverse {
 template <class Map, int capacity>
 Joints<Map::dof> way_of_motors(const Joints<Map::dof>& seed, const Solutions<Map::dof, capacity>& /*of*/,
                                const Joints<Map::dof>& q) {
-  Joints<Map::dof> joints = Map::joints(q - seed);
-  for (int i = 0; i < Map::dof; ++i)
+  auto joints = Map::joints(q - seed);
+  for (int i = 0; i < joints.size(); ++i)
     if (Map::is_revolute[static_cast<std::size_t>(i)]) joints[i] = without_turns(joints[i]);
   return Map::motors(joints);
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/motor_representatives.h>
@@ -82,11 +83,25 @@ class AllWithinMotors {
 
 namespace inverse {
 
-/// Rows of joints as rows of motors; Found is a set of solutions.
-template <class Map, class Found>
-Found in_motors(Found found) {
+/// Rows of joints as rows of motors.
+template <class Map, int capacity>
+Solutions<Map::dof, capacity> in_motors(Solutions<Map::dof, capacity> found) {
   for (auto& row : found) row.q = Map::motors(row.q);
   return found;
+}
+/// Rows of more joints than motors.
+template <class Map, int joints, int capacity, std::enable_if_t<joints != Map::dof, int> = 0>
+Solutions<Map::dof, capacity> in_motors(const Solutions<joints, capacity>& found) {
+  Solutions<Map::dof, capacity> result;
+  for (const Solution<joints>& row : found) {
+    Solution<Map::dof>& to = result.append();
+    to.q = Map::motors(row.q);
+    to.branch = row.branch;
+    to.continuum = row.continuum;
+  }
+  result.effort = found.effort;
+  result.status = found.status;
+  return result;
 }
 
 /// True if no joint is free and no rounding decides: then a seed chooses nothing.
@@ -133,6 +148,13 @@ LimitedSolutions<dof, capacity> nearest_of_joints(const Solutions<dof, capacity>
                                                   const Joints<dof>& seed, const JointLimits<dof>& limits) {
   return nearest_of_rows(found, WithinMotors<Map>(limits, seed),
                          [](const auto& joints) { return Map::motors(joints); });
+}
+/// Returns it from rows of more joints than motors.
+template <class Map, int joints, int capacity, std::enable_if_t<joints != Map::dof, int> = 0>
+LimitedSolutions<Map::dof, capacity> nearest_of_joints(const Solutions<joints, capacity>& found,
+                                                       const Joints<Map::dof>& seed,
+                                                       const JointLimits<Map::dof>& limits) {
+  return nearest_within_motors<Map>(in_motors<Map>(found), seed, limits);
 }
 
 /// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
