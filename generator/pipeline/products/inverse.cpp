@@ -257,8 +257,8 @@ void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
   json values = values_of(derivation.arm, derivation, Language::c, output);
   add_public_functions_in_c(derivation.coupled, derivation.outer, values);
   take_outer_names(values, output.counts);
-  add_c_files(output, "inverse", emit::c::inverse_kinematics(described, derivation.arm, values));
-  add_c_files(output, "metrics", emit::c::metrics(described));
+  add_c_files(output, "inverse", emit::c::inverse_kinematics(derivation.coupled, derivation.arm, values));
+  add_c_files(output, "metrics", emit::c::metrics(derivation.coupled));
 }
 
 }  // namespace qvgen::pipeline

@@ -61,14 +61,14 @@ static void set_level(WithinMotors* within, int level) {
 /// Limits of motors next to a centre. A centre beyond which whole turns are lost in rounding is none, nor is what is no
 /// number.
 static void set_within_motors(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
-  double sensible[dof];
+  double sensible[whole_dof];
   memset(within->per_motion.of, 0, sizeof within->per_motion.of);
   memset(within->square_of_motion, 0, sizeof within->square_of_motion);
   memset(within->per_square, 0, sizeof within->per_square);
   memset(within->alone_step.of, 0, sizeof within->alone_step.of);
   memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
   memset(within->alone_middle.of, 0, sizeof within->alone_middle.of);
-  for (int i = 0; i < dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_lost_centre ? centre[i] : 0;
+  for (int i = 0; i < whole_dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_lost_centre ? centre[i] : 0;
   within->centre = values_of(sensible);
   for (int i = 0; i < bounded; ++i) {
     const int motor = motor_of[i];

@@ -130,7 +130,7 @@ static bool begin_row(const WithinMotors* within, Representatives* all) {
 
 /// Goes through the turns of a row's joints, then to the next row that has a representative inside.
 static bool next_motor_representative(Representatives* all) {
-  const double zero[dof] = {0};
+  const double zero[whole_dof] = {0};
   WithinMotors within;
   set_within_motors(&within, all->lower, all->upper, zero);
   if (next_of_row(&within, all)) return true;
@@ -138,7 +138,7 @@ static bool next_motor_representative(Representatives* all) {
     double square = 0;
     bool is_cut = false;
     all->row = all->solutions->rows[all->next_row++];
-    double nearest[dof];
+    double nearest[whole_dof];
     memcpy(nearest, all->row.q, sizeof nearest);
     if (take_nearest_turn(&within, nearest, &square, &is_cut) && begin_row(&within, all)) return true;
   }

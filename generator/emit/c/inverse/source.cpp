@@ -16,6 +16,7 @@
 #include "emit/inverse/arm.h"
 #include "emit/render.h"
 #include "emit/template_values.h"
+#include "model/followers.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit::c {
@@ -192,7 +193,8 @@ json kinds_of(const model::Robot& robot, std::size_t count) {
 /// How large arrays have to be for all variants.
 void add_sizes(const model::Robot& robot, const model::Robot& arm, json& values) {
   const json& variants = values["variants"];
-  const int dof = static_cast<int>(arm.joints.size()), whole_dof = static_cast<int>(robot.joints.size());
+  const int dof = static_cast<int>(arm.joints.size());
+  const int whole_dof = static_cast<int>(model::driven_count(robot));
   const int rows = largest(variants, "row_size");
   const bool is_whole = whole_dof == dof;
   const int arm_joints = is_whole ? rows : std::max(rows, whole_dof);
@@ -202,6 +204,7 @@ void add_sizes(const model::Robot& robot, const model::Robot& arm, json& values)
                                    [](const json& each) { return each["quartic"].get<bool>(); });
   values["dof"] = dof;
   values["whole_dof"] = whole_dof;
+  values["row_room"] = std::max(dof, whole_dof);
   values["row_size"] = rows;
   values["virtual_rows"] = rows > dof || !is_whole;
   values["most_capacity"] = largest(variants, "capacity");
@@ -210,7 +213,7 @@ void add_sizes(const model::Robot& robot, const model::Robot& arm, json& values)
   values["most_branches"] = largest(variants, "polished_branches");
   values["no_geometry"] = robot.geometry.empty();
   values["kinds"] = kinds_of(arm, static_cast<std::size_t>(rows));
-  values["whole_kinds"] = kinds_of(robot, robot.joints.size());
+  values["whole_kinds"] = kinds_of(robot, static_cast<std::size_t>(whole_dof));
 }
 
 }  // namespace
@@ -252,8 +255,12 @@ std::string loops(const json& values) {
 }
 
 Part metrics(const model::Robot& robot) {
+  const std::size_t joint_count = robot.joints.size();
   const json values{
-      {"name", robot.name}, {"dof", robot.joints.size()}, {"has_motors", model::has_followers(robot)}};
+      {"name", robot.name},
+      {"dof", model::driven_count(robot)},
+      {"joint_count", joint_count == model::driven_count(robot) ? "dof" : std::to_string(joint_count)},
+      {"has_motors", model::has_followers(robot)}};
   return {render("c/metrics.h", values), render("c/metrics.c", values)};
 }
 
