@@ -145,8 +145,8 @@ void show_closed_form(const model::Robot& described, const derive::inverse::Deri
 }
 
 /// Says what stands between the robot and the arm that the inverse kinematics is derived for.
-void show_derived_arm(const model::Robot& robot, const pipeline::InverseDerivation& derivation) {
-  for (const model::Joint& joint : robot.joints)
+void show_derived_arm(const pipeline::InverseDerivation& derivation) {
+  for (const model::Joint& joint : derivation.coupled.joints)
     if (!joint.follows.empty())
       fmt::print("In joints, with {} = {}.\n", joint.variable, model::relation_text(joint.follows));
   if (derivation.outer)
@@ -157,7 +157,7 @@ void show_derived_arm(const model::Robot& robot, const pipeline::InverseDerivati
 int show_inverse(const model::Robot& robot, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(robot);
   const model::Robot& described = derivation.found() ? derivation.arm : robot;
-  if (derivation.found()) show_derived_arm(robot, derivation);
+  if (derivation.found()) show_derived_arm(derivation);
   for (const auto& elimination : derivation.eliminations) {
     fmt::print("{}\n\n", emit::ability(described, elimination));
     for (const std::string& line : describe_elimination(elimination)) fmt::print("{}\n", line);

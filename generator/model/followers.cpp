@@ -50,6 +50,11 @@ std::vector<Row> with_unit(const Robot& robot) {
   return rows;
 }
 
+/// How many motors move the joint of a row; the unit matrix adds the same to all rows.
+std::ptrdiff_t motors_in(const Row& row) {
+  return std::count_if(row.begin(), row.end(), [](const cln::cl_RA& entry) { return entry != 0; });
+}
+
 void subtract_multiple(Row& row, const cln::cl_RA& factor, const Row& other) {
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = row[k] - factor * other[k];
 }
@@ -123,6 +128,8 @@ bool has_independent_motors(const Robot& robot) {
 std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& robot) {
   const std::size_t motors = driven_count(robot);
   std::vector<Row> rows = with_unit(robot);
+  const auto fewer_motors = [](const Row& a, const Row& b) { return motors_in(a) < motors_in(b); };
+  std::stable_sort(rows.begin(), rows.end(), fewer_motors);
   if (!reduce(rows, motors)) return std::nullopt;
   rows.resize(motors);
   for (Row& row : rows) row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(motors));

@@ -35,8 +35,7 @@ std::vector<std::vector<Share>> shares(const Robot& robot);
 bool has_independent_motors(const Robot& robot);
 
 /// Returns the inverse of A row by row, motors in terms of joints; nothing if joints do not say the motors'
-/// values. Where joints are more than motors it is one of A's left inverses, by the first joints that say
-/// them.
+/// values. Where joints are more than motors it is one of A's left inverses, by joints that few motors move.
 std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& robot);
 
 /// Returns a relation as a description has it: "1/2 ml - 1/2 mr".

@@ -108,7 +108,14 @@ TEST(Motors, TheInverseIsExact) {
       for (const model::Share& share : shares[i]) sum = sum + share.ratio * (*inverse)[share.driven][k];
       EXPECT_EQ(sum, i == k ? 1 : 0);
     }
-  EXPECT_FALSE(model::inverse_shares(*read(joint("a") + joint("b", follows("a"))).robot));
+}
+
+TEST(Motors, OfMoreJointsHaveALeftInverse) {
+  const ReadResult result = read(joint("a") + joint("b", follows("a")));
+  const auto inverse = model::inverse_shares(*result.robot);
+  ASSERT_TRUE(inverse);
+  ASSERT_EQ(inverse->size(), 1U);
+  EXPECT_EQ((*inverse)[0], (std::vector<cl_RA>{1, 0}));
 }
 
 /// The basis makes the lattice that turns of single joints make, and is in echelon form.

@@ -8,6 +8,7 @@
 #include <qvgen/robots/bevel_arm.h>
 #include <qvgen/robots/geared_seven.h>
 #include <qvgen/robots/nested_wrist.h>
+#include <qvgen/robots/palletiser.h>
 #include <qvgen/robots/rail_seven.h>
 #ifdef QVGEN_ALL_ARMS
 #include <qvgen/robots/gantry.h>
@@ -104,6 +105,7 @@ std::map<std::string, Arm> make_arms() {
   namespace belt = robots::belt_scara;
   namespace geared = robots::geared_seven;
   namespace nested = robots::nested_wrist;
+  namespace palletiser = robots::palletiser;
   namespace rail = robots::rail_seven;
   std::map<std::string, Arm> arms;
   const auto add = [&](const std::string& name, const Arm& arm) { arms.emplace(name, arm); };
@@ -122,6 +124,12 @@ std::map<std::string, Arm> make_arms() {
   // Six turns; whole turns of the fourth move three motors.
   add("nested_wrist",
       {"nested_wrist", nested::inverse_info, list(nested::joint_names), {}, QVGEN_TEST_ARM(nested_wrist, )});
+  // Four motors and six joints, two of them on one line: they keep the tool level.
+  add("palletiser", {"palletiser",
+                     palletiser::inverse_info,
+                     list(palletiser::joint_names),
+                     {},
+                     QVGEN_TEST_ARM(palletiser, )});
   // Eight joints: the first and one of the inner arm's seven are given.
   add("rail_seven", {"rail_seven",
                      rail::inverse_info_given_rail_theta3,
@@ -144,6 +152,9 @@ std::map<std::string, Arm> make_arms() {
 #endif
   arms.at("belt_scara").functions.jacobian = [](const VectorXd& q) {
     return MatrixXd(belt::jacobian(fixed<belt::dof>(q)));
+  };
+  arms.at("palletiser").functions.jacobian = [](const VectorXd& q) {
+    return MatrixXd(palletiser::jacobian(fixed<palletiser::dof>(q)));
   };
   arms.at("geared_seven").functions.jacobian = [](const VectorXd& q) {
     return MatrixXd(geared::jacobian(fixed<geared::dof>(q)));

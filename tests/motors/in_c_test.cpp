@@ -28,7 +28,7 @@ class InC : public OfEachArm {
 };
 INSTANTIATE_TEST_SUITE_P(Of, InC,
                          testing::Values("bevel_arm", "nested_wrist", "belt_scara", "geared_seven",
-                                         "rail_seven"),
+                                         "palletiser", "rail_seven"),
                          name_of);
 #ifdef QVGEN_ALL_ARMS
 INSTANTIATE_TEST_SUITE_P(LongRuns, InC, testing::Values("gantry"), name_of);

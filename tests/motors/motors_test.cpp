@@ -13,7 +13,8 @@ class Motors : public OfEachArm {
  protected:
   std::mt19937 random_{11};
 };
-INSTANTIATE_TEST_SUITE_P(Of, Motors, testing::Values("bevel_arm", "belt_scara", "geared_seven"), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, Motors, testing::Values("bevel_arm", "belt_scara", "geared_seven", "palletiser"),
+                         name_of);
 
 TEST_P(Motors, AreWhatTheFunctionsHaveValuesFor) { EXPECT_EQ(arm_.names, arm_.chain.driven()); }
 
@@ -25,7 +26,7 @@ TEST_P(Motors, MoveTheToolAsTheReferenceSays) {
 }
 
 TEST(MotorJacobians, AreTheReferences) {
-  for (const char* name : {"belt_scara", "geared_seven"}) {
+  for (const char* name : {"belt_scara", "geared_seven", "palletiser"}) {
     const Arm& arm = arm_named(name);
     std::mt19937 random(2);
     for (int k = 0; k < 200; ++k) {

@@ -215,9 +215,11 @@ bool has_module(const Unit& unit, const std::string& name) {
   return std::find(unit.modules.begin(), unit.modules.end(), name) != unit.modules.end();
 }
 
-bool has_motors(const Unit& unit) {
-  return std::any_of(unit.constants.begin(), unit.constants.end(),
-                     [&](const Constant& each) { return each.name == unit.robot + "_joints_by_motors"; });
+int joints_with_motors(const Unit& unit) {
+  const auto kinds = std::find_if(unit.constants.begin(), unit.constants.end(), [&](const Constant& each) {
+    return each.name == unit.robot + "_joint_is_revolute";
+  });
+  return kinds == unit.constants.end() ? 0 : kinds->type->size;
 }
 
 }  // namespace qvgen::emit::blocks

@@ -59,8 +59,8 @@ bool returns_last(const Function& function);
 bool solves_poses(const Unit& unit);
 /// True if the unit has a module of that name.
 bool has_module(const Unit& unit, const std::string& name);
-/// True if joints follow motors.
-bool has_motors(const Unit& unit);
+/// Returns how many joints follow motors in the inverse kinematics; 0 if none does.
+int joints_with_motors(const Unit& unit);
 /// The type that a pointer parameter leads to, an array with its size.
 TypeRef pointee(const Field& parameter);
 

@@ -143,7 +143,7 @@ Files package(const blocks::Unit& unit, const std::vector<blocks::File>& c,
     all["dof"] = unit.constant(unit.robot + "_dof")->value[0].text;
     all["has_inverse"] = blocks::solves_poses(unit);
     all["metrics"] = solves && !body.empty() ? render("javascript/metrics" + file.substr(file.find('.')),
-                                                      {{"has_motors", blocks::has_motors(unit)}})
+                                                      {{"has_motors", blocks::joints_with_motors(unit) > 0}})
                                              : "";
     return render("javascript/" + file, all);
   };

@@ -166,7 +166,8 @@ json values_of(const blocks::Unit& unit, const std::vector<std::string>& missing
   return {{"name", unit.robot},
           {"has_inverse", blocks::solves_poses(unit)},
           {"has_metrics", blocks::has_module(unit, "inverse")},
-          {"has_motors", blocks::has_motors(unit)},
+          {"has_motors", blocks::joints_with_motors(unit) > 0},
+          {"joint_count", blocks::joints_with_motors(unit)},
           {"has_missing", !missing.empty()},
           {"missing", lines_of_text(missing)}};
 }
