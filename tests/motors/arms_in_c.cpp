@@ -31,14 +31,13 @@ namespace {
 /// Calls the C++ library of arms whose whole turns move several motors.
 template <class Map>
 struct LibraryOfMotors {
-  static constexpr int dof = Map::dof;
   static constexpr bool uses_seed = false;
-  template <int capacity>
+  template <int dof, int capacity>
   static auto nearest(const Solutions<dof, capacity>& rows, const Joints<dof>& seed,
                       const JointLimits<dof>& limits) {
     return inverse::nearest_within_motors<Map>(rows, seed, limits);
   }
-  template <int capacity>
+  template <int dof, int capacity>
   static auto all(const Solutions<dof, capacity>& rows, const JointLimits<dof>& limits) {
     return AllWithinMotors<Map, capacity>(rows, limits);
   }
@@ -47,14 +46,13 @@ struct LibraryOfMotors {
 /// Calls the C++ library of arms in which every joint turns by itself.
 template <const auto& kinds>
 struct LibraryOfJoints {
-  static constexpr int dof = static_cast<int>(kinds.size());
   static constexpr bool uses_seed = true;
-  template <int capacity>
+  template <int dof, int capacity>
   static auto nearest(const Solutions<dof, capacity>& rows, const Joints<dof>& seed,
                       const JointLimits<dof>& limits) {
     return nearest_within_limits(rows, limits, kinds, seed);
   }
-  template <int capacity>
+  template <int dof, int capacity>
   static auto all(const Solutions<dof, capacity>& rows, const JointLimits<dof>& limits) {
     return within_limits(rows, limits, kinds);
   }
@@ -75,7 +73,7 @@ template <class Library, class Set, class Solve, class Within, class Near, class
           class Next>
 FunctionsInC functions_of(const Solve& solve, const Within& within, const Near& near,
                           const NearWithin& near_within, const First& first, const Next& next) {
-  constexpr int dof = Library::dof;
+  constexpr int dof = dof_of<Set>;
   const auto ask = [](const auto& function, const VectorXd& at, const qvgen::Pose<double>& pose,
                       auto... more) {
     auto set = untouched<Set>();
@@ -88,9 +86,9 @@ FunctionsInC functions_of(const Solve& solve, const Within& within, const Near& 
   const auto choose = [ask](const auto& anywhere, const auto& inside) {
     return [=](const VectorXd& at, const qvgen::Pose<double>& pose, const Asked& asked) {
       const double* seed = data_of(asked.seed);
-      if (asked.limits == nullptr) return rows_of(in_cxx<Set, dof>(ask(anywhere, at, pose, seed)));
-      return rows_of(in_cxx<Set, dof>(
-          ask(inside, at, pose, seed, asked.limits->lower.data(), asked.limits->upper.data())));
+      if (asked.limits == nullptr) return rows_of(in_cxx(ask(anywhere, at, pose, seed)));
+      return rows_of(
+          in_cxx(ask(inside, at, pose, seed, asked.limits->lower.data(), asked.limits->upper.data())));
     };
   };
   const double* none = nullptr;
@@ -109,13 +107,13 @@ FunctionsInC functions_of(const Solve& solve, const Within& within, const Near& 
   all.representatives_of_cxx = [=](const VectorXd& at, const qvgen::Pose<double>& pose,
                                    const Bounds& limits) {
     Rows rows;
-    append_all(rows, Library::all(in_cxx<Set, dof>(ask(solve, at, pose, none)), fixed<dof>(limits)));
+    append_all(rows, Library::all(in_cxx(ask(solve, at, pose, none)), fixed<dof>(limits)));
     return rows;
   };
   all.nearest_of_cxx = [=](const VectorXd& at, const qvgen::Pose<double>& pose, const VectorXd& seed,
                            const Bounds& limits) {
     const Set set = ask(solve, at, pose, Library::uses_seed ? seed.data() : none);
-    return rows_of(Library::nearest(in_cxx<Set, dof>(set), fixed<dof>(seed), fixed<dof>(limits)));
+    return rows_of(Library::nearest(in_cxx(set), fixed<dof>(seed), fixed<dof>(limits)));
   };
   return all;
 }

@@ -15,13 +15,12 @@ constexpr int capacity_of = static_cast<int>(std::extent_v<decltype(Set::rows)>)
 template <class Set>
 constexpr int dof_of = static_cast<int>(std::extent_v<decltype(Set::rows[0].q)>);
 
-/// `dof`: of the motors, where rows have room for more joints than these.
-template <class Set, int dof = dof_of<Set>>
-Solutions<dof, capacity_of<Set>> in_cxx(const Set& set) {
-  Solutions<dof, capacity_of<Set>> found;
+template <class Set>
+Solutions<dof_of<Set>, capacity_of<Set>> in_cxx(const Set& set) {
+  Solutions<dof_of<Set>, capacity_of<Set>> found;
   for (int k = 0; k < set.count; ++k) {
-    Solution<dof>& row = found.append();
-    std::copy_n(set.rows[k].q, dof, row.q.data());
+    Solution<dof_of<Set>>& row = found.append();
+    std::copy_n(set.rows[k].q, dof_of<Set>, row.q.data());
     row.branch = set.rows[k].branch;
     row.continuum = set.rows[k].continuum != 0;
   }

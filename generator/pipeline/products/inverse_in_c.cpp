@@ -17,7 +17,7 @@ void hide_functions(const std::string& prefix, json& values) {
 }
 
 /// Names of a variant's public functions, and what its caller gives.
-void add_names(bool has_outer, bool has_joint_over, json& variant) {
+void add_names(bool has_outer, json& variant) {
   const bool is_locked = variant["locked"];
   const std::string value = is_locked ? variant["given_name"].get<std::string>() : "";
   variant["c_function"] = variant[has_outer ? "outer_function" : "function"];
@@ -27,7 +27,7 @@ void add_names(bool has_outer, bool has_joint_over, json& variant) {
                                    : json("");
   if (has_outer)
     variant["given_meaning"] = "; " + variant["outer_meaning"].get<std::string>() + ", rad or m, are given";
-  variant["separate_rows"] = has_outer || has_joint_over || variant["virtual_joints"].get<bool>();
+  variant["separate_rows"] = has_outer || variant["virtual_joints"].get<bool>();
 }
 
 }  // namespace
@@ -50,7 +50,9 @@ void add_public_functions_in_c(const model::Robot& described, const std::optiona
   if (holds)
     for (json& variant : values["variants"]) variant["inner_geometry"] = "&own";
   const bool has_joint_over = has_motors && values["motors"]["has_joint_over"].get<bool>();
-  for (json& variant : values["variants"]) add_names(outer.has_value(), has_joint_over, variant);
+  values["has_joint_over"] = has_joint_over;
+  values["rows_type"] = has_joint_over ? "Solutions" : described.name + "_solutions";
+  for (json& variant : values["variants"]) add_names(outer.has_value(), variant);
 }
 
 }  // namespace qvgen::pipeline

@@ -154,14 +154,13 @@ def _explain_absence(module):
 def _turns_of_motors(values):
     """The relation of joints and motors, taken out of the values of an arm, for orders of rows."""
     from .metrics import TurnsOfMotors
-    dof = values["dof"]
+    is_revolute = [bool(each) for each in values.pop("joint_is_revolute")]
 
-    def square(name):
+    def rows(name, columns):
         entries = values.pop(name)
-        return [entries[dof * i:dof * (i + 1)] for i in range(dof)]
+        return [entries[i:i + columns] for i in range(0, len(entries), columns)]
 
-    return TurnsOfMotors(square("joints_by_motors"), square("motors_by_joints"),
-                         [bool(each) for each in values.pop("joint_is_revolute")])
+    return TurnsOfMotors(rows("joints_by_motors", values["dof"]), rows("motors_by_joints", len(is_revolute)), is_revolute)
 
 
 def _module(name, sources, folder):

@@ -23,9 +23,9 @@ __all__ = ["FastestTime", "LargestJoint", "TurnsOfMotors", "WeightedDistance", "
 
 class TurnsOfMotors(typing.NamedTuple):
     """Whole turns of arms with motors: those of joints, each of which moves several motors. `arm.turns_of_motors`."""
-    joints_by_motors: typing.Any  #: (dof, dof)
-    motors_by_joints: typing.Any  #: (dof, dof)
-    is_revolute: typing.Any  #: (dof,), whether a joint turns
+    joints_by_motors: typing.Any  #: (joints, dof)
+    motors_by_joints: typing.Any  #: (dof, joints)
+    is_revolute: typing.Any  #: (joints,), whether a joint turns
 
     def short_way(self, way):
         """The ways of motors (..., dof) with whole turns of joints taken off."""

@@ -78,7 +78,7 @@ static Values turned_values(const Turns* turns, int level, double number) {
   return values;
 }
 
-static void start_motor_representatives(const Solutions* found, const double* lower, const double* upper,
+static void start_motor_representatives(const MotorRows* found, const double* lower, const double* upper,
                                         Representatives* all) {
   all->solutions = found;
   all->next_row = 0;

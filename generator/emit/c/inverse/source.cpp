@@ -204,9 +204,8 @@ void add_sizes(const model::Robot& robot, const model::Robot& arm, json& values)
                                    [](const json& each) { return each["quartic"].get<bool>(); });
   values["dof"] = dof;
   values["whole_dof"] = whole_dof;
-  values["row_room"] = std::max(dof, whole_dof);
   values["row_size"] = rows;
-  values["virtual_rows"] = rows > dof || !is_whole;
+  values["virtual_rows"] = rows > dof || whole_dof > dof;
   values["most_capacity"] = largest(variants, "capacity");
   values["most_joints"] = joints;
   values["most_rows"] = (quartic ? 9 : 6) + joints;
