@@ -48,7 +48,7 @@ Follows sum(const Follows& a, const Follows& b, int sign) {
   return result;
 }
 
-/// What a joint that leads others becomes where it is merged.
+/// Returns the motor that a joint which leads others becomes where it is merged.
 Motor as_motor(const Joint& joint) {
   Motor motor;
   motor.type = joint.type;

@@ -86,7 +86,7 @@ std::string missing_level(const Attempt& attempt) {
   return dependent_joints_of_level(attempt);
 }
 
-/// What joint 0 leaves of the tool's turn about its axis, in the sense of the last joint.
+/// Turns the last joint by what joint 0 leaves of the tool's turn.
 void turn_last(Attempt& attempt, const Target& target, const Flat& level) {
   const auto& screws = attempt.chain.screws;
   const Scope& scope = attempt.scope;

@@ -20,7 +20,7 @@ struct InverseDerivation {
   std::vector<derive::inverse::EliminationDerivation> eliminations;
   std::vector<std::string> reasons;  ///< of what was not found, also if something else was
   model::Robot arm = {};      ///< what it is derived for: the robot in joints, without its outer joints
-  model::Robot coupled = {};  ///< the same joints with what they follow
+  model::Robot coupled = {};  ///< its joints, each with its leaders
   std::optional<OuterJoints> outer = {};  ///< the arm's, if several joints are given
 
   [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }
