@@ -10,6 +10,6 @@
 #include <qvgen/robots/finger/dynamics.h>
 
 // Not generated:
-//   inverse: 2 joints that follow none move 3 joints, and each joint needs its own; a bar that moves a joint may be
-//   written as a [[loop]]
+//   inverse: 2 joints that follow none move 3 joints, and each joint needs its own, except one of five that keeps the
+//   tool level; a bar that moves a joint may be written as a [[loop]]
 //   singularity_measures: a joint follows another: the factors of the determinant are not derived

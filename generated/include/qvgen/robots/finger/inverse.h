@@ -4,5 +4,5 @@
 #pragma once
 
 // There is no inverse for this robot:
-//   2 joints that follow none move 3 joints, and each joint needs its own; a bar that moves a joint may be written as a
-//   [[loop]]
+//   2 joints that follow none move 3 joints, and each joint needs its own, except one of five that keeps the tool
+//   level; a bar that moves a joint may be written as a [[loop]]
