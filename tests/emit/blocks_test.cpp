@@ -176,6 +176,7 @@ typedef struct Representatives {
   int level, next_row;
 } Representatives;
 typedef Solution Row;
+typedef Solutions MotorRows;
 typedef Solutions Rows;
 typedef struct Values {
   double of[bounded];
