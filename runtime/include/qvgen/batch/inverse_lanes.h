@@ -64,6 +64,24 @@ QVGEN_LANES inverse::Branch<Lane> reach_test(const LanePoses<Lane>& pose, const 
 
 }  // namespace qvgen::batch
 
+namespace qvgen::inverse {
+
+/// Mask of lanes whose value is out of range. `inverse::is_out_of_range` answers once for a whole pose; here
+/// each lane has its own answer.
+template <class Set>
+QVGEN_LANES simd::Mask<double, Set> is_out_of_range(const simd::Lanes<double, Set>& middle,
+                                                    const simd::Lanes<double, Set>& swing,
+                                                    const Boundary& boundary) {
+  using Lane = simd::Lanes<double, Set>;
+  const Lane off = magnitude(middle - Lane(0.5));
+  const Lane half = Lane(0.5 + tolerance::swing_at_double_root) + Lane(boundary.beyond);
+  const Lane same_end = off - half;
+  const Lane both_ends = off + half;
+  return ((same_end > Lane(0.0)) & (same_end * same_end > swing)) | (both_ends * both_ends < swing);
+}
+
+}  // namespace qvgen::inverse
+
 // The angle of a direction is turned from the nearest axis, beyond which it never goes: less than -pi it is
 // nowhere, and -pi changes its sign as a whole.
 

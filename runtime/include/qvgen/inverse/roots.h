@@ -216,13 +216,13 @@ void require_zero(const Scalar& residual, const Scalar& scale, const Scalar& tol
 /// is rounding its root carries half the digits: poses that are out of reach by less are left to the
 /// branches.
 template <typename Scalar>
-[[gnu::always_inline]] inline Mask<Scalar> is_out_of_range(const Scalar& middle, const Scalar& swing,
-                                                           const Boundary& boundary) {
+[[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,
+                                                   const Boundary& boundary) {
   const Scalar off = magnitude(Scalar(middle - Scalar(0.5)));
   const Scalar to_end = Scalar(0.5 + tolerance::swing_at_double_root) + Scalar(boundary.beyond);
   const Scalar same_end = off - to_end;
   const Scalar both_ends = off + to_end;
-  return ((same_end > Scalar(0)) & (same_end * same_end > swing)) | (both_ends * both_ends < swing);
+  return (same_end > Scalar(0) && same_end * same_end > swing) || both_ends * both_ends < swing;
 }
 
 }  // namespace qvgen::inverse
