@@ -2,9 +2,11 @@
 // Inverse kinematics in C against that in C++, of every robot with a closed form, at ordinary poses and at
 // those where solvers fail.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -103,6 +105,21 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
                                       : cxx.solve(pose, given, tolerance);
   }
 
+  /// Distance from the seed of the row that is nearest to it, angles the short way round.
+  [[nodiscard]] double least_apart(const Found& found, const Eigen::VectorXd& seed) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Row& row : found.rows) {
+      double square = 0;
+      for (int k = 0; k < test_.dof(); ++k) {
+        const double way = row.q[k] - seed[k];
+        const double off = test_.revolute(k) ? std::remainder(way, 2 * pi) : way;
+        square += off * off;
+      }
+      least = std::min(least, std::sqrt(square));
+    }
+    return least;
+  }
+
   /// So many of a hundred sets near singular poses, and one, may be others; none for 0.
   void report(const char* what, int others) const {
     EXPECT_LE(100 * tally_.other, others == 0 ? 0 : 100 + others * tally_.singular);
@@ -191,6 +208,37 @@ TEST_P(SameRows, NextToASeed) {
     }
   });
   report("near", most_others());
+}
+
+/// Law: next to a seed at any distance, in C and in C++, there is the row of all that is nearest to it. Of a
+/// direction, the turn about it counts as one more joint, which no row shows.
+TEST_P(SameRows, NextToASeedIsTheNearestOfAll) {
+  if (!c_->solve_near) GTEST_SKIP() << "there is none for this arm";
+  const InverseUnderTest& cxx = GetParam();
+  if (cxx.info.task == Task::direction || cxx.info.task == Task::position_and_direction)
+    GTEST_SKIP() << "asked for a direction";
+  int looked_at = 0;
+  for (int i = 0; i < 2 * pose_count(); ++i) {
+    const Sample sample = sample_at(test_, test_.joints());
+    const double given = test_.given(sample.q);
+    for (const double radians : {3e-3, 0.1, 1.0, 3.0}) {
+      const Eigen::VectorXd seed = sample.q + radians / pi * test_.joints();
+      const Found all = solve(cxx, sample.pose, given, inverse::default_tolerance);
+      if (all.status != Status::solved || all.effort.passes > 0 || all.effort.steps > 0) continue;
+      const double least = least_apart(all, seed);
+      const std::string what = std::to_string(i) + ", " + std::to_string(radians) + " rad\n" + text(all);
+      const Found in_c = c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {});
+      const Found in_cxx = cxx.solve_near(sample.pose, given, seed);
+      for (const Found* near : {&in_c, &in_cxx}) {
+        const std::string both = what + (near == &in_c ? "\nC " : "\nC++ ") + text(*near);
+        ASSERT_EQ(near->rows.size(), 1U) << both;
+        ASSERT_LE(test_.miss(near->rows[0].q, sample.target).largest(), 1e-9) << both;
+        EXPECT_LE(least_apart(*near, seed), least + 1e-9) << both;
+      }
+      ++looked_at;
+    }
+  }
+  std::printf("%-24s nearest of all, %d seeds\n", cxx.name.c_str(), looked_at);
 }
 
 /// The angle q + 2 pi k inside the limits that is nearest to the seed; false if there is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,15 @@ struct Forks {
     label = 2 * label + (is_other ? 1 : 0);
     return is_other;
   }
+
+  /// Bits of the forks at which another choice may lead nearer to the seed than `least`, a squared distance.
+  [[nodiscard]] unsigned open(double least) const {
+    constexpr double margin = 20 * 20;
+    unsigned bits = 0;
+    for (int i = 0; i < count; ++i)
+      if (left[i] < margin * least) bits |= 1U << i;
+    return bits;
+  }
 };
 
 template <class Work>
@@ -101,19 +111,20 @@ double apart(const Solutions<dof, 1>& found, const Preference<dof>& seed, const 
 template <int dof, class Follow>
 bool follow_forks(const Preference<dof>& seed, const bool* revolute, const Follow& follow,
                   Solutions<dof, 1>& found) {
-  constexpr double margin = 20 * 20;
   Forks taken;
   bool is_sure = follow(taken, found);
   double least = apart(found, seed, revolute);
-  unsigned open = 0;
-  for (int i = 0; i < taken.count; ++i)
-    if (taken.left[i] < margin * least) open |= 1U << i;
-  for (unsigned flipped = 1; flipped < 1U << taken.count && open != 0; ++flipped) {
+  unsigned open = taken.open(least);
+  int count = taken.count;
+  for (unsigned flipped = 1; flipped < 1U << count && open != 0; ++flipped) {
     if ((flipped & ~open) != 0) continue;
     Forks other;
     other.flipped = flipped;
     Solutions<dof, 1> row;
     is_sure = follow(other, row) && is_sure;
+    // The first way may have ended before forks to which this one comes.
+    open |= other.open(least);
+    count = std::max(count, other.count);
     const double its_apart = apart(row, seed, revolute);
     if (!(its_apart < least)) continue;
     least = its_apart;
