@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The building blocks of inverse kinematics by themselves.
 #include <gtest/gtest.h>
+#include <qvgen/assembly.h>
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/wrist.h>
@@ -114,6 +115,50 @@ TEST(Branch, DoubtsStayButNotThoseOfOneBranch) {
   EXPECT_TRUE(branch.unsure);
   branch.resume(fork);
   EXPECT_TRUE(branch.doubtful && !branch.unsure);
+}
+
+/// Parallelograms and kites: both angles, their order and their marks are those of the circle with roots,
+/// next to the ends too.
+TEST(FoldingCircleAngle, IsTheCirclesOfSidesThatAreEqualInPairs) {
+  Random random;
+  for (const Boundary& boundary : {plain, qvgen::inverse::boundary_of_loops()})
+    for (int i = 0; i < 20000; ++i) {
+      const double side = random(0.1, 1.5), turned = random(0.1, 1.5), at = random(-3, 3);
+      const double end = std::pow(10, random(-9, 0));
+      const double by = at + (i % 3 == 0 ? end : i % 3 == 1 ? std::acos(-1) - end : random(-3, 3));
+      const bool is_kite = (i & 1) != 0;  // the arm is as long as the constant side
+      const double arm = is_kite ? side : turned, other = is_kite ? turned : side;
+      const Rotor<double> straight = turn(is_kite ? at : by);
+      const Rotor<double> from{side * std::cos(at) + turned * std::cos(by),
+                               side * std::sin(at) + turned * std::sin(by)};
+      const double length = std::hypot(from.cosine, from.sine);
+      if (length < 1e-6) continue;
+      const double near = (length - arm) * (length - arm), far = (length + arm) * (length + arm);
+      const double sine = std::abs(from.cosine * straight.sine - from.sine * straight.cosine) / length;
+      const double magnified = (side + turned) * (side + turned) / (std::max(sine, 1e-8) * length * arm);
+      for (const double sign : {1.0, -1.0}) {
+        Branch<double> branch, expected;
+        const auto circle = free_circle_angle(other * other - near, far - other * other, from, 1e-28, turn(1),
+                                              sign, boundary, expected);
+        const auto found =
+            folding_circle_angle(straight, from, arm * arm, 1e-28, turn(1), sign, boundary, branch);
+        ASSERT_TRUE(branch.exists);
+        ASSERT_EQ(branch.unsure, expected.unsure) << side << " " << turned << " " << at << " " << by;
+        if (!expected.exists) continue;  // by rounding
+        ASSERT_NEAR(found.cosine, circle.cosine, 4 * eps * magnified);
+        ASSERT_NEAR(found.sine, circle.sine, 4 * eps * magnified);
+      }
+    }
+}
+
+TEST(FoldingCircleAngle, VanishingDirectionTakesTheChoice) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Branch<double> branch, invalid;
+  const auto found = folding_circle_angle(turn(0.2), {0.0, 0.0}, 1.0, 1e-28, turn(0.7), -1.0, plain, branch);
+  EXPECT_TRUE(branch.exists && branch.continuum);
+  EXPECT_EQ(found.sine, -std::sin(0.7));
+  folding_circle_angle(turn(0.2), {none, 0.0}, 1.0, 1e-28, turn(0.7), 1.0, plain, invalid);
+  EXPECT_FALSE(invalid.exists);
 }
 
 TEST(FreeCircleAngle, VanishingDirectionTakesTheChoice) {

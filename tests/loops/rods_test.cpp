@@ -2,10 +2,14 @@
 // Equations of rods, which are derived from the lines of the rods: they are the derivatives of the gaps. And
 // a rod that tells no angle.
 #include <algorithm>
+#include <array>
+#include <random>
+#include <sstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "derive/inverse/lower.h"
 #include "derive/inverse/names.h"
 #include "derive/loops/assembly_plan.h"
 #include "derive/loops/constraints.h"
@@ -13,6 +17,8 @@
 #include "description/reader.h"
 #include "model/private_names.h"
 #include "symbolic/model.h"
+#include "verify/certificate.h"
+#include "verify/loops/certify_loops.h"
 
 namespace qvgen::test::loops_rods {
 namespace {
@@ -94,6 +100,54 @@ length = 0.15
   EXPECT_NE(reasons[0].find("begins on the axis of crank, so that its length does not tell the angle"),
             std::string::npos)
       << reasons[0];
+}
+
+/// Expects a four-bar whose step needs no root, or needs one, and a certificate of its plan. Lengths are
+/// those of ground, crank, rod and rocker; ends are turned by angles of the Pythagorean triple 3, 4, 5.
+void expect_folding(bool expected, const std::array<GiNaC::numeric, 4>& lengths) {
+  const auto text = [](const GiNaC::numeric& number) {
+    std::ostringstream stream;
+    stream << '"' << number << '"';
+    return stream.str();
+  };
+  const auto turned = [&](const GiNaC::numeric& length) {
+    return "[" + text(length * 3 / 5) + ", " + text(length * 4 / 5) + ", 0]";
+  };
+  SCOPED_TRACE(text(lengths[0]) + text(lengths[1]) + text(lengths[2]) + text(lengths[3]));
+  const std::string revolute = "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\n";
+  const auto result = description::read_text(
+      "name = \"bar\"\ntitle = \"four-bar\"\nactuated = [\"a\"]\n" + revolute + "variable = \"a\"\n" +
+          revolute + "variable = \"b\"\nparent = \"base\"\norigin = " + turned(lengths[0]) +
+          "\n[[tip]]\nname = \"end\"\n[[loop]]\ntype = \"rod\"\nbetween = [\"a\", \"b\"]\nat = [[" +
+          text(lengths[1]) + ", 0, 0], " + turned(lengths[3]) + "]\nlength = " + text(lengths[2]) + "\n",
+      "bar.toml");
+  ASSERT_TRUE(result.robot) << description::to_string(result.diagnostics.front());
+  const model::Mechanism mechanism{*result.robot, result.tips, result.loops};
+  const auto assembly = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  ASSERT_TRUE(assembly.found);
+  ASSERT_EQ(assembly.plan.steps.size(), 1U);
+  EXPECT_EQ(assembly.plan.steps[0].is<derive::inverse::kind::FoldingCircle>(), expected);
+  const auto certificate =
+      verify::certify_loops(mechanism, assembly, derive::inverse::lower(assembly.plan), 3);
+  EXPECT_EQ(certificate.assemblies, 2 * certificate.inputs);
+}
+
+/// Antiparallelograms are the other assembly of parallelograms.
+TEST(Rods, OfFourBarsWithSidesEqualInPairsNeedNoRoot) {
+  std::mt19937 random(3);
+  const auto among = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+  };
+  const auto length = [&] { return GiNaC::numeric(among(20, 99), among(100, 109)); };
+  for (int i = 0; i < 10; ++i) {
+    const GiNaC::numeric a = length(), b = length(), off = a + GiNaC::numeric(1, 1000000000000L);
+    if (a == b) continue;
+    expect_folding(true, {a, b, a, b});  // a parallelogram
+    expect_folding(true, {a, b, b, a});  // a kite
+    expect_folding(true, {a, a, a, a});  // a rhombus
+    expect_folding(false, {a, b, off, b});
+    expect_folding(false, {a, b, b, off});
+  }
 }
 
 }  // namespace

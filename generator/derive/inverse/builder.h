@@ -128,6 +128,8 @@ class Builder {
   /// x² + y² - rhs² for a rhs with a square root in it that was solved before, as two factors without that
   /// root.
   [[nodiscard]] std::optional<Flat> without_root(const Flat& k, const GiNaC::ex& rhs) const;
+  /// The unit vector from x0 to an x with |v + x| = δ that needs no root: sides are equal in pairs.
+  [[nodiscard]] std::optional<Flat> straight(const Flat& v, const Flat& x0, const GiNaC::ex& square) const;
   Step& add(Kind kind, const Screw* screw, int branches, const std::string& equation);
   void set_turn(Step& step, const Screw& screw, const Flat& cosine_sine);
   void set_length(Step& step, const Screw& screw, const GiNaC::ex& value);

@@ -96,6 +96,31 @@ Ring Builder::ring(const Flat& v, const Flat& x0) const {
   return {base, arm, v_fixed, x_fixed, inner, outer};
 }
 
+std::optional<Flat> Builder::straight(const Flat& v, const Flat& x0, const ex& square) const {
+  const ex radius = x0.x * x0.x + x0.y * x0.y;
+  // v is a constant side and one that known joints turn: without their sines and cosines the first is left.
+  const auto constant_part = [&](const ex& value) {
+    const ex expanded = value.expand();
+    GiNaC::exmap none;
+    for (auto part = expanded.preorder_begin(); part != expanded.preorder_end(); ++part)
+      if (GiNaC::is_a<GiNaC::symbol>(*part) && !is_constant(*part)) none[*part] = 0;
+    return expanded.subs(none);
+  };
+  const Flat full{v.x.subs(named_).subs(named_), v.y.subs(named_).subs(named_)};
+  if (!full.x.info(GiNaC::info_flags::polynomial) || !full.y.info(GiNaC::info_flags::polynomial))
+    return std::nullopt;
+  const Flat side{constant_part(full.x), constant_part(full.y)}, turned{v.x - side.x, v.y - side.y};
+  const ex side_square = side.x * side.x + side.y * side.y,
+           turned_square = turned.x * turned.x + turned.y * turned.y;
+  const auto along = [&](const Flat& x) {
+    const Flat turn = x * conjugate(x0);
+    return Flat{scope_.clean(-turn.x / radius), scope_.clean(-turn.y / radius)};
+  };
+  if (scope_.is_zero(turned_square - radius) && scope_.is_zero(side_square - square)) return along(turned);
+  if (scope_.is_zero(side_square - radius) && scope_.is_zero(turned_square - square)) return along(side);
+  return std::nullopt;
+}
+
 void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, const Flat& x0, const ex& square,
                                const std::string& equation) {
   const auto [base, arm, v_fixed, x_fixed, inner, outer] = ring(v, x0);
@@ -113,6 +138,18 @@ void Builder::turn_by_distance(const Screw& screw, int sign, const Flat& v, cons
   }
   // Unnormalised: v conj(x0), mirrored for a joint that is read backwards.
   const Flat direction = base.direction * conjugate(arm.direction);
+  const auto folding = x_fixed ? straight(v, x0, square) : std::nullopt;
+  if (folding) {
+    Step& step = add(kind::FoldingCircle{}, &screw, 2, equation);
+    give(step, "straight_", {folding->x, sign * folding->y});
+    give(step, "", {direction.x, sign * direction.y});
+    step.before.output("arm_square", arm.length * arm.length);
+    step.degenerate =
+        "a side on the other: the two solutions coincide; the point on the axis: " + screw.variable +
+        " is free";
+    set_turn(step, screw, result_turn());
+    return;
+  }
   Step& step = add(kind::FreeCircle{(v_fixed ? 0 : 1) + (x_fixed ? 0 : 1)}, &screw, 2, equation);
   give(step, "", {direction.x, sign * direction.y});
   step.before.output("low", low);

@@ -47,6 +47,28 @@ struct FreeCircle {
   }
 };
 
+/// Angle of a circle whose two values are known without a root: one is a direction of its own, the other its
+/// mirror image about (x, y), which vanishes where the angle is free. Four-bars with sides equal in pairs
+/// (parallelograms, kites) lead to it. Inputs: straight_x, straight_y, x, y, arm_square.
+struct FoldingCircle {
+  static constexpr const char* title = "circle meets circle, its discriminant a square";
+  int degree = 1;  ///< the direction's units, as in `Direction`
+
+  [[nodiscard]] static std::vector<Formula> solution(const std::vector<std::string>& /*joints*/) {
+    return {{"phi = atan2(straight_y, straight_x), or its mirror image about the direction (x, y)",
+             "\\varphi = \\mathrm{atan2}(\\mathrm{straight}_y, \\mathrm{straight}_x)"
+             "\\text{ or its mirror image about } (x, y)"}};
+  }
+
+  template <class Backend>
+  auto apply(const Unknown& of, Backend& b) const {
+    const auto solve = [](auto&&... a) { return qvgen::inverse::folding_circle_angle(a...); };
+    return b.turn(b.call("folding_circle_angle", solve, b.pair("straight_x", "straight_y"), b.pair("x", "y"),
+                         b.input("arm_square"), b.tiny(degree), b.seed_turn(of.joint), b.sign(), b.boundary(),
+                         b.branch()));
+  }
+};
+
 /// cos φ = rhs/|(x, y)| and sin² φ |(x, y)|² = low*high, which rounding does not touch. Inputs: x, y, rhs,
 /// low, high.
 struct FactoredCircle {

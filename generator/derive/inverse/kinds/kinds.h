@@ -22,9 +22,10 @@
 ///   the result by what it is (`turn`, `length`, `two_lengths`, `roots`, `wrist_turns`, ...).
 namespace qvgen::derive::inverse {
 
-using Kind = std::variant<kind::Linear, kind::Circle, kind::FreeCircle, kind::FactoredCircle, kind::Opposite,
-                          kind::Pair, kind::ChosenPair, kind::Reach, kind::Half, kind::Root, kind::Line,
-                          kind::Beside, kind::Slides, kind::Require, kind::Conic, kind::SlideTurn,
-                          kind::TwoTurns, kind::Newton, kind::RightWrist, kind::ObliqueWrist>;
+using Kind =
+    std::variant<kind::Linear, kind::Circle, kind::FreeCircle, kind::FoldingCircle, kind::FactoredCircle,
+                 kind::Opposite, kind::Pair, kind::ChosenPair, kind::Reach, kind::Half, kind::Root,
+                 kind::Line, kind::Beside, kind::Slides, kind::Require, kind::Conic, kind::SlideTurn,
+                 kind::TwoTurns, kind::Newton, kind::RightWrist, kind::ObliqueWrist>;
 
 }  // namespace qvgen::derive::inverse

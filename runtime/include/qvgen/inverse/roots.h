@@ -97,6 +97,38 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
+/// The angle ±φ from a direction v = (x, y) that the pose gives, where one of both values is known without a
+/// root: `straight`, of length one. The other is its mirror image about v. Squares of lengths: `arm_square`,
+/// of the circle's radius. Where |v|² is below `tiny` the angle is free.
+///
+/// With φ the angle between v and `straight`, sin² φ / 4 is the share of the range's nearer end that
+/// `circle_angle` has, next to the ends: both values meet where it vanishes.
+template <typename Scalar>
+Rotor<Scalar> folding_circle_angle(const Rotor<Scalar>& straight, const Rotor<Scalar>& from,
+                                   const Scalar& arm_square, const Scalar& tiny, const Rotor<Scalar>& choice,
+                                   const Scalar& sign, const Boundary& boundary, Branch<Scalar>& branch) {
+  const Scalar square = from.cosine * from.cosine + from.sine * from.sine;
+  const Mask<Scalar> is_free = square <= tiny;
+  const Scalar along = from.cosine * straight.cosine + from.sine * straight.sine;
+  const Scalar across = from.cosine * straight.sine - from.sine * straight.cosine;
+  const Scalar across_square = across * across;
+  const Scalar scale = Scalar(1) / select(is_free, Scalar(1), square);
+  // The square of the nearer end, radius across²/|v|, against noise, as `nearly_free` has it.
+  const Scalar end_square = arm_square * across_square * (across_square * scale);
+  const Mask<Scalar> is_near =
+      (square <= Scalar(boundary.near) * tiny) | (end_square <= Scalar(tolerance::magnified_end) * tiny);
+  Branch<Scalar> regular = branch;
+  admit(Scalar(Scalar(0.25) * across_square * scale), limits_of<Scalar>(boundary), is_near, regular);
+  branch.take(is_free, Mask<Scalar>(true), regular);
+  const Rotor<Scalar> mirrored{(from.cosine * along + from.sine * across) * scale,
+                               (from.sine * along - from.cosine * across) * scale};
+  const Mask<Scalar> is_straight = sign * across >= Scalar(0);
+  const Rotor<Scalar> found{select(is_straight, straight.cosine, mirrored.cosine),
+                            select(is_straight, straight.sine, mirrored.sine)};
+  return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
+          select(is_free, Scalar(sign * choice.sine), found.sine)};
+}
+
 /// The angle ±φ from a direction v = (x, y) that the pose gives, with v·u = rhs for the unit vector u: sin φ
 /// |v| is the root of |v|² - rhs², known as the product low * high of two lengths, and so exact where the
 /// difference would not be. Where |v|² is below `tiny` the angle is free if rhs is as small.
