@@ -15,7 +15,7 @@ namespace qvgen::test {
 /// size.
 inline int pose_count() {
   const char* text = std::getenv("QVGEN_POSES");
-  return text == nullptr ? 256 : std::atoi(text);
+  return text == nullptr ? 128 : std::atoi(text);
 }
 
 /// The end of a test's name: the robot's name.

@@ -13,7 +13,7 @@ namespace {
 
 int path_count() {
   const char* text = std::getenv("QVGEN_PATHS");
-  return text == nullptr ? 6 : std::atoi(text);
+  return text == nullptr ? 3 : std::atoi(text);
 }
 
 class InversePaths : public Inverse {

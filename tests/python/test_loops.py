@@ -166,27 +166,37 @@ def test_legs_with_rods_reach_poses():
     assert np.isfinite(leg.loop_forces(q[0], np.ones(6), np.ones(6))).all()
 
 
-def test_dynamics_on_a_base_that_floats():
-    """A leg on rods: vectors begin with the base's six, and the energy is that of the tree."""
-    strider = qvgen.load(ROBOTS.parents[1] / "floating/strider.toml", "--only", "dynamics,assembly")
+FLOATING = "[floating_base]\nmass = 2\ncentre_of_mass = [0.01, 0.02, 0.1]\ninertia = [0.02, 0.015, 0.01, 0.001, -0.003, 0.002]\n"
+
+
+@pytest.mark.parametrize("name, motors", [("four_bar", [0.5]), ("strider", [0.1, 0.05, 0.05, 0.1])])
+def test_dynamics_on_a_base_that_floats(name, motors, tmp_path):
+    """A four-bar, and a leg on rods: vectors begin with the base's six, and the energy is that of the tree."""
+    description = ROBOTS.parents[1] / f"floating/{name}.toml"
+    if name == "four_bar":
+        description = tmp_path / "four_bar.toml"
+        description.write_text((ROBOTS / "four_bar.toml").read_text().replace("[defaults]", FLOATING + "[defaults]"))
+    elif not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    robot = qvgen.load(description, "--only", "dynamics,assembly")
     random = np.random.default_rng(3)
-    q = strider.assemble([0.1, 0.05, 0.05, 0.1]).q[0]
+    q = robot.assemble(motors).q[0]
     turn = random.normal(size=4)
     at = np.concatenate([turn / np.linalg.norm(turn), random.normal(size=3), q])
-    ad, forces = random.normal(size=(2, 5, 10))
-    add = strider.driven_forward_dynamics(at, ad, forces)
-    np.testing.assert_allclose(strider.driven_inverse_dynamics(at, ad, add), forces, atol=1e-10)
-    whole = np.concatenate([ad[:, :6], ad[:, 6:] @ strider.rates(q).T], axis=1)
-    masses = strider.driven_mass_matrix(at)
-    np.testing.assert_allclose(np.einsum("ni,ij,nj->n", ad, masses, ad) / 2, strider.kinetic_energy(at, whole), rtol=1e-12)
+    ad, forces = random.normal(size=(2, 5, 6 + len(motors)))
+    add = robot.driven_forward_dynamics(at, ad, forces)
+    np.testing.assert_allclose(robot.driven_inverse_dynamics(at, ad, add), forces, atol=1e-10)
+    whole = np.concatenate([ad[:, :6], ad[:, 6:] @ robot.rates(q).T], axis=1)
+    masses = robot.driven_mass_matrix(at)
+    np.testing.assert_allclose(np.einsum("ni,ij,nj->n", ad, masses, ad) / 2, robot.kinetic_energy(at, whole), rtol=1e-12)
     # Forces of motors and loops, by the gaps' derivatives, are those of the open tree.
-    gaps = np.stack([strider.loop_gaps(q + step) - strider.loop_gaps(q - step) for step in STEP * np.eye(7)]) / (2 * STEP)
-    held = strider.loop_forces(at, ad, add) @ gaps.T
-    held[:, strider.driven_joints] += forces[:, 6:]
-    qdd = np.concatenate([add[:, :6], strider.accelerations(q, whole[:, 6:], add[:, 6:])], axis=1)
-    np.testing.assert_allclose(np.concatenate([forces[:, :6], held], axis=1), strider.inverse_dynamics(at, whole, qdd), atol=1e-6)
+    gaps = np.stack([robot.loop_gaps(q + step) - robot.loop_gaps(q - step) for step in STEP * np.eye(len(q))]) / (2 * STEP)
+    held = robot.loop_forces(at, ad, add) @ gaps.T
+    held[:, robot.driven_joints] += forces[:, 6:]
+    qdd = np.concatenate([add[:, :6], robot.accelerations(q, whole[:, 6:], add[:, 6:])], axis=1)
+    np.testing.assert_allclose(np.concatenate([forces[:, :6], held], axis=1), robot.inverse_dynamics(at, whole, qdd), atol=1e-6)
     with pytest.raises(ValueError, match="shape"):
-        strider.driven_mass_matrix(q)
+        robot.driven_mass_matrix(q)
 
 
 def test_loops_need_no_cxx_compiler():

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # without_extensions.sh COMPILER EIGEN FOLDER WORK [BUT]: compiles every header of the runtime and of the robots in FOLDER, but
-# those whose paths the expression BUT matches, and the sources of two robots, as by a compiler that knows no extension of GCC.
+# those whose paths the expression BUT matches, and the sources of two of them, as by a compiler that knows no extension of GCC.
 # A stand-in for cl.exe: the standard library and Eigen are included first; then __GNUC__ and __clang__ are undefined, and every
 # keyword and built-in that only GCC and clang have is an error. Attributes such as [[gnu::always_inline]] are left: C++17 wants
 # unknown ones ignored.
@@ -27,6 +27,7 @@ __builtin_ctz __builtin_popcount __int128 __float128 __extension__ __typeof__ ty
       grep -vE "$but" | sort | sed 's/.*/#include <&>/')
   done
   for robot in ur5 iiwa14; do
+    [[ robots/$robot/ =~ $but ]] && continue
     find "$generated/source/$robot" -name "*.cpp" ! -name "*_avx2.cpp" | sort | sed "s/.*/#include \"&\"/"
   done
 } > "$file"
