@@ -18,6 +18,21 @@ void refuse_requests(const Table& root) {
                            "it belongs to a chain; each [[tip]] has its own translation and turns");
 }
 
+/// A [[tip]] to copy for each joint that carries no other.
+std::string tips_to_copy(const model::Robot& robot) {
+  std::vector<bool> ends(robot.joints.size(), true);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (const std::size_t parent = model::parent_of(robot, i); parent != model::base_link)
+      ends[parent] = false;
+  std::string text;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ends[i]) {
+      const std::string& variable = robot.joints[i].variable;
+      text += "\n[[tip]]\nname = \"tip_" + variable + "\"\njoint = \"" + variable + "\"\n";
+    }
+  return text;
+}
+
 }  // namespace
 
 void read_parent(const Table& table, model::Robot& robot) {
@@ -43,7 +58,7 @@ std::vector<model::Frame> read_tips(const Table& root, const model::Robot& robot
   if (!root.has("tip")) {
     if (model::branches(robot) && !context.has_error)
       context.error({}, "the joints branch, and no [[tip]] says where limbs end",
-                    "add [[tip]] with name and joint for each");
+                    "add those that matter of these:\n" + tips_to_copy(robot));
     return {};
   }
   refuse_requests(root);
