@@ -13,6 +13,7 @@ const char* const examples = R"(
   qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
   qvgen generate ur5 --language rust -o out   out/rust/qvgen_ur5: a crate; --language javascript: a module
   qvgen generate ur5 --language octave -o out out/octave/+qvgen_ur5: functions of Octave and MATLAB
+  qvgen generate four_bar.toml -o out         a mechanism with closed loops, [[loop]]: its assemblies, its dynamics
   qvgen languages                             which parts each language has, and why not
   qvgen import arm.urdf > arm.toml            the same as a description to read and edit
   qvgen new RRP --wrist euler > my_arm.toml   a description to begin with

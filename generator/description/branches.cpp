@@ -18,6 +18,21 @@ void refuse_requests(const Table& root) {
                            "it belongs to a chain; each [[tip]] has its own translation and turns");
 }
 
+/// A tip for each joint that carries no other, in a line to copy.
+std::string tips_to_copy(const model::Robot& robot) {
+  std::vector<bool> is_end(robot.joints.size(), true);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (const std::size_t parent = model::parent_of(robot, i); parent != model::base_link)
+      is_end[parent] = false;
+  std::string text;
+  for (std::size_t i = 0; i < is_end.size(); ++i) {
+    if (!is_end[i]) continue;
+    const std::string& variable = robot.joints[i].variable;
+    text += (text.empty() ? "" : ", ") + ("{name = \"tip_" + variable) + "\", joint = \"" + variable + "\"}";
+  }
+  return "tip = [" + text + "]";
+}
+
 }  // namespace
 
 void read_parent(const Table& table, model::Robot& robot) {
@@ -43,7 +58,7 @@ std::vector<model::Frame> read_tips(const Table& root, const model::Robot& robot
   if (!root.has("tip")) {
     if (model::branches(robot) && !context.has_error)
       context.error({}, "the joints branch, and no [[tip]] says where limbs end",
-                    "add [[tip]] with name and joint for each");
+                    "write those that matter before the first [[joint]]: " + tips_to_copy(robot));
     return {};
   }
   refuse_requests(root);

@@ -148,12 +148,15 @@ bool is_xml(std::string_view text, const std::string& file) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
-/// Names the robot by --name, else by what its file calls it, made a valid name; a change is noted.
+/// Names the robot by --name, else by what its file calls it, else by the file's own name, made a valid name;
+/// a change is noted.
 void name_robot(Context& context, const xml::Element& root, model::Robot& robot) {
   if (!context.options.name.empty()) return rename(context, robot);
   const xml::Attribute* name = root.attribute(root.name == "mujoco" ? "model" : "name");
   const bool is_named = name != nullptr && !name->value.empty();
-  robot.name = tree::robot_identifier(is_named ? name->value : "robot");
+  const std::string stem = std::filesystem::path(context.source.file()).stem().string();
+  robot.name = tree::robot_identifier(is_named ? name->value : stem.empty() ? "robot" : stem);
+  if (!is_named) robot.title = robot.name;
   if (is_named && robot.name != name->value)
     context.note(name->place, "the robot '" + name->value + "' is '" + robot.name + "' in the code",
                  "names of robots have small letters, digits and '_' there; --name gives another");

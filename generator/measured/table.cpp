@@ -3,8 +3,10 @@
 #include "measured/table.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -231,7 +233,9 @@ TableResult read_table(const std::filesystem::path& path, const std::vector<Want
   if (std::filesystem::is_directory(path, error))
     return failed(path.string(), "this is a folder", "give a file of measurements");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return failed(path.string(), "the file cannot be read", "give a file of measurements");
+  if (!stream)
+    return failed(path.string(), "the file cannot be read: " + std::generic_category().message(errno),
+                  "give a table with a header such as q1, q2, ... and a row for each measurement");
   return read_table(stream, path.string(), wanted, options);
 }
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <qvgen/orientation.h>
@@ -261,7 +263,10 @@ Poses read_poses(std::istream& stream, const std::string& file, const PoseOption
 
 Poses read_poses(const std::filesystem::path& path, const PoseOptions& options) {
   std::ifstream stream(path);
-  if (!stream) throw std::runtime_error(path.string() + " cannot be read");
+  if (!stream)
+    throw std::runtime_error(
+        path.string() + " cannot be read: " + std::generic_category().message(errno) +
+        "; give a table with the header x, y, z, qw, qx, qy, qz and a row for each pose");
   return read_poses(stream, path.string(), options);
 }
 

@@ -24,7 +24,7 @@ const Lack made_of_c{{"linuxcnc"}, "it is made of C in double: --language c"};
 std::vector<Lack> lacks_of_translations() {
   std::vector<Lack> lacks = lacks_of_c();
   lacks.push_back(made_of_c);
-  lacks.push_back({{"assembly"}, made_of_c.reason});
+  lacks.push_back({{"assembly"}, "assemblies are in C++, and in C (double): --language c"});
   return lacks;
 }
 

@@ -362,10 +362,14 @@ TEST(Mechanism, TomlReportsWhatIsWrong) {
             "29:8: error: the tip 'left_hand': another tip has this name; give each tip a name of its own\n");
   std::string without(branched);
   without.erase(without.find("[[tip]]"));
+  const std::string ends =
+      "tip = [{name = \"tip_left\", joint = \"left\"}, {name = \"tip_right\", joint = \"right\"}, "
+      "{name = \"tip_head\", joint = \"head\"}]";
   EXPECT_EQ(mistakes(without),
-            "1:1: error: the joints branch, and no [[tip]] says where limbs end; add [[tip]] with name and "
-            "joint for "
-            "each\n");
+            "1:1: error: the joints branch, and no [[tip]] says where limbs end; write those that matter "
+            "before the first [[joint]]: " +
+                ends + "\n");
+  EXPECT_EQ(mistakes(ends + "\n" + without), "");
 }
 
 }  // namespace

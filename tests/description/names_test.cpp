@@ -67,6 +67,23 @@ TEST(Names, ChangesAreNotedAndTheOptionWins) {
       "'_' there; --name gives another\n");
 }
 
+TEST(Names, ARobotWithoutANameHasItsFiles) {
+  const std::string mjcf =
+      "<mujoco><worldbody><body name=\"b\"><joint name=\"j\"/></body></worldbody></mujoco>";
+  std::string urdf = named("", {"j"});
+  urdf.erase(urdf.find(" name=\"\""), 8);
+  for (const std::string& text : {mjcf, urdf}) {
+    const auto name = [&](const std::string& file) {
+      const ReadResult result = read_text(text, file);
+      return result.robot ? result.robot->name + "," + result.robot->title
+                          : to_string(result.diagnostics.at(0));
+    };
+    EXPECT_EQ(name("models/My-Arm 6.xml"), "my_arm_6,my_arm_6");
+    EXPECT_EQ(name("7bot.urdf"), "robot_7bot,robot_7bot");
+    EXPECT_EQ(name(""), "robot,robot");
+  }
+}
+
 /// Returns a random name of letters that have led to clashes: few, so that many names meet.
 std::string random_name(std::mt19937& random) {
   static const std::vector<std::string> parts{"M_", "EIGEN_", "L", "LF_HAA", "1",     "12", "_",    "-",

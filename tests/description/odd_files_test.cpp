@@ -115,10 +115,10 @@ TEST(OddFiles, Commas) {
 TEST(OddFiles, JointsOfOtherFormatsBesideTheChain) {
   std::string text = with("<limit lower=\"-1\" upper=\"1\"/>");
   text.insert(text.find("</robot>"),
-              "<link name=\"c\"/><joint name=\"k\" type=\"spherical\"><parent link=\"a\"/><child link=\"c\"/>"
+              "<link name=\"c\"/><joint name=\"k\" type=\"gearbox\"><parent link=\"a\"/><child link=\"c\"/>"
               "</joint>");
   EXPECT_TRUE(read_text(text, "r.urdf", {.tip = "b"}).robot);
-  EXPECT_EQ(read_text(text, "r.urdf", {.tip = "c"}).diagnostics.at(0).message, "the joint 'k' is spherical");
+  EXPECT_EQ(read_text(text, "r.urdf", {.tip = "c"}).diagnostics.at(0).message, "the joint 'k' is gearbox");
 }
 
 std::string table(const std::string& head, const std::string& numbers) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "description/write.h"
 #include "xml.h"
 
 namespace qvgen::description {
@@ -271,6 +272,26 @@ TEST(Urdf, Warnings) {
       "4:1: warning: the inertia of link 1 breaks the triangle inequality: xx = 1 exceeds yy + zz = -2; give "
       "it "
       "about the centre of mass, each principal moment at most the sum of the others\n");
+}
+
+TEST(Urdf, SphericalJointsAreThreeTurnsAsOfABall) {
+  const std::string place = R"(<origin xyz="0.1 0.2 0.3" rpy="0 0.5 0"/>)";
+  const auto axis = [](const std::string& xyz) { return "<axis xyz=\"" + xyz + "\"/>"; };
+  const auto spherical = [](const std::string& more) {
+    return robot(link("a") + link("b") + joint("p", "spherical", "a", "b", more));
+  };
+  const std::string three = robot(link("a") + link("b") + link("i") + link("j") +
+                                  joint("p_x", "continuous", "a", "i", place + axis("1 0 0")) +
+                                  joint("p_y", "continuous", "i", "j", axis("0 1 0")) +
+                                  joint("p_z", "continuous", "j", "b", axis("0 0 1")));
+  EXPECT_EQ(write_text(model::Mechanism{read(spherical(place)), {}}),
+            write_text(model::Mechanism{read(three), {}}));
+  EXPECT_EQ(report(spherical(place)),
+            "4:1: note: the spherical joint 'p' is read as three turns, p_x, p_y and p_z, each about an axis "
+            "that the one before has turned; they have no limits; with the second at 90 or -90 degrees they "
+            "lack one of its motions\n");
+  const std::string limited = report(spherical("<limit lower=\"-1\" upper=\"1\"/>"));
+  EXPECT_NE(limited.find("warning: <limit> of a spherical joint is not read"), std::string::npos) << limited;
 }
 
 }  // namespace

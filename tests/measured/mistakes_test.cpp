@@ -60,7 +60,8 @@ TEST(Mistakes, OfWholeFiles) {
               HasSubstr("data.csv:2:1: error: 1 rows are too few; give at least 3"));
   EXPECT_THAT(mistakes("q1,q2,x,y\n1,2,3," + std::string(longest_line, '4')),
               HasSubstr("data.csv:2:1: error: a line of more than"));
-  EXPECT_THAT(mistakes(read_table("/nowhere/data.csv", joints_and_position)), HasSubstr("cannot be read"));
+  EXPECT_THAT(mistakes(read_table("/nowhere/data.csv", joints_and_position)),
+              HasSubstr("cannot be read: No such file"));
   EXPECT_THAT(mistakes(read_table("/", joints_and_position)), HasSubstr("this is a folder"));
 }
 

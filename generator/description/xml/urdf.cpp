@@ -25,7 +25,7 @@ class UrdfTree {
     for (const Element& child : root.children)
       if (child.name == "link") add_link(child);
     for (const Element& child : root.children)
-      if (child.name == "joint") is_planar(child) ? add_planar(child) : add_joint(child);
+      if (child.name == "joint") is_composed(child) ? add_composed(child) : add_joint(child);
     if (nodes.empty() && reported_ == 0)
       error(root.place, "no links", "a URDF has <link> and <joint> elements");
     find_cycle();
@@ -96,8 +96,8 @@ class UrdfTree {
   }
 
   bool moves(const Element& joint) {
-    static const std::vector<std::string> types{"revolute", "continuous", "prismatic",    "fixed",
-                                                "floating", "planar",     unlimited_slide};
+    static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed",
+                                                "floating", "planar",     "spherical", unlimited_slide};
     const Attribute* type = required(joint, "type");
     if (type == nullptr) return false;
     if (std::find(types.begin(), types.end(), type->value) == types.end()) {
@@ -109,12 +109,7 @@ class UrdfTree {
     return type->value != "fixed";
   }
 
-  static bool is_planar(const Element& joint) {
-    const Attribute* type = joint.attribute("type");
-    return type != nullptr && type->value == "planar";
-  }
-
-  void add_planar(const Element& joint) {
+  void add_composed(const Element& joint) {
     if (required(joint, "name") == nullptr || !end_of(joint, "parent") || !end_of(joint, "child")) return;
     made_.push_back(successive_joints(*context_, joint));
     if (made_.back().empty()) ++reported_;
@@ -165,7 +160,7 @@ class UrdfTree {
   Context* context_;
   std::map<std::string, std::size_t> by_name_, joint_names_;
   std::size_t reported_ = 0;
-  std::deque<std::deque<Element>> made_;  ///< in place of planar joints
+  std::deque<std::deque<Element>> made_;  ///< in place of planar and spherical joints
 };
 
 /// Returns what hangs on a link by fixed joints.

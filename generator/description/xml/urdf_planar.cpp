@@ -53,11 +53,47 @@ std::string link_of(const Element& planar, const char* end) {
   return link == nullptr ? "" : link->value;
 }
 
+/// The parts of a composed joint, along or about `axes` and named by `letters`.
+std::deque<Element> parts_of(const Element& composed, const std::string& name,
+                             const std::array<std::size_t, 3>& letters, const char* slides_or_turns,
+                             const std::array<const char*, 3>& axes) {
+  const auto called = [&](std::size_t part) { return name + "_" + "xyz"[letters.at(part)]; };
+  std::deque<Element> made{
+      with("link", composed.place, {{"name", called(0), composed.place}}),
+      joint(composed, called(0), slides_or_turns, link_of(composed, "parent"), called(0), axes[0]),
+      with("link", composed.place, {{"name", called(1), composed.place}}),
+      joint(composed, called(1), slides_or_turns, called(0), called(1), axes[1]),
+      joint(composed, called(2), "continuous", called(1), link_of(composed, "child"), axes[2])};
+  if (const Element* origin = composed.child("origin")) made[1].children.push_back(*origin);
+  return made;
+}
+
+std::string type_of(const Element& joint) {
+  const Attribute* type = joint.attribute("type");
+  return type == nullptr ? "" : type->value;
+}
+
+/// Says what a spherical joint is read as, and what of it is not read.
+std::deque<Element> turns_of(Context& context, const Element& ball, const std::string& name) {
+  context.note(ball.place,
+               "the spherical joint '" + name + "' is read as three turns, " + name + "_x, " + name +
+                   "_y and " + name + "_z, each about an axis that the one before has turned",
+               "they have no limits; with the second at 90 or -90 degrees they lack one of its motions");
+  for (const char* key : {"limit", "dynamics", "mimic"})
+    if (const Element* child = ball.child(key))
+      context.warning(child->place, "<" + std::string(key) + "> of a spherical joint is not read",
+                      "write three continuous or revolute joints, each with its own");
+  return parts_of(ball, name, {0, 1, 2}, "continuous", directions);
+}
+
 }  // namespace
+
+bool is_composed(const Element& joint) { return type_of(joint) == "planar" || type_of(joint) == "spherical"; }
 
 std::deque<Element> successive_joints(Context& context, const Element& planar) {
   const Attribute* named = planar.attribute("name");
   const std::string name = named == nullptr ? "" : named->value;
+  if (type_of(planar) == "spherical") return turns_of(context, planar, name);
   const auto normal = normal_of(context, planar);
   if (!normal) {
     context.error(
@@ -72,16 +108,8 @@ std::deque<Element> successive_joints(Context& context, const Element& planar) {
                "the planar joint '" + name + "' is read as two slides, " + called(first) + " and " +
                    called(second) + ", and a turn, " + called(normal->axis),
                "they have no limits");
-  std::deque<Element> made{
-      with("link", planar.place, {{"name", called(first), planar.place}}),
-      joint(planar, called(first), unlimited_slide, link_of(planar, "parent"), called(first),
-            directions.at(first)),
-      with("link", planar.place, {{"name", called(second), planar.place}}),
-      joint(planar, called(second), unlimited_slide, called(first), called(second), directions.at(second)),
-      joint(planar, called(normal->axis), "continuous", called(second), link_of(planar, "child"),
-            turns.at(normal->axis))};
-  if (const Element* origin = planar.child("origin")) made[1].children.push_back(*origin);
-  return made;
+  return parts_of(planar, name, {first, second, normal->axis}, unlimited_slide,
+                  {directions.at(first), directions.at(second), turns.at(normal->axis)});
 }
 
 }  // namespace qvgen::description::xml

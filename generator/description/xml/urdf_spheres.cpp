@@ -6,6 +6,7 @@
 
 #include "description/xml/decimals.h"
 #include "description/xml/reader.h"
+#include "description/xml/urdf_planar.h"
 
 namespace qvgen::description::xml {
 namespace {
@@ -42,9 +43,7 @@ class Spheres {
   }
 
  private:
-  static std::size_t freedoms(const Element& joint) {
-    return attribute_of(&joint, "type") == "planar" ? 3 : 1;
-  }
+  static std::size_t freedoms(const Element& joint) { return is_composed(joint) ? 3 : 1; }
 
   [[nodiscard]] bool holds(const Element& joint) const {
     const auto& fixed = context_.options.fixed;
