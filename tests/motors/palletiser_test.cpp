@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the rows of a palletiser meet, are free or are none, and its limits. Its other laws are those of all
-// arms with motors.
+// A palletiser with four motors: poses at which rows meet, are free or are none, and limits. The laws of all
+// arms with motors hold for it, too.
 #include <gtest/gtest.h>
 #include <qvgen/robots/palletiser.h>
 
