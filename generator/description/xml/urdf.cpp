@@ -6,8 +6,8 @@
 #include "description/names.h"
 #include "description/tree/tree.h"
 #include "description/xml/reader.h"
+#include "description/xml/urdf_composed.h"
 #include "description/xml/urdf_numbers.h"
-#include "description/xml/urdf_planar.h"
 
 namespace qvgen::description::xml {
 namespace {

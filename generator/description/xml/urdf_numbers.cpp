@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "description/names.h"
-#include "description/xml/urdf_planar.h"
+#include "description/xml/urdf_composed.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 

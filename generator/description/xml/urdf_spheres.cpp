@@ -6,7 +6,7 @@
 
 #include "description/xml/decimals.h"
 #include "description/xml/reader.h"
-#include "description/xml/urdf_planar.h"
+#include "description/xml/urdf_composed.h"
 
 namespace qvgen::description::xml {
 namespace {

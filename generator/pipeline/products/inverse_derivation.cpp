@@ -87,9 +87,8 @@ void add_level_form(const model::Robot& coupled, InverseDerivation& result) {
     return;
   }
   result.reasons = {
-      "4 motors move 5 joints: three of these, behind the first, would have to keep the tool level by the "
-      "sum "
-      "of their turns, and the task to be a position and a yaw, or a pose"};
+      "4 motors move 5 joints: three of these, behind the first, would have to keep the tool level by "
+      "the sum of their turns, and the task to be a position and a yaw, or a pose"};
 }
 
 InverseDerivation derive_without_outer_joints(const model::Robot& robot) {

@@ -173,9 +173,8 @@ std::string obstacle_of_motors(const model::Robot& coupled) {
   const bool may_have_one = model::inverse_shares(coupled) && (joints == motors || has_a_joint_over(coupled));
   if (!model::has_followers(coupled) || may_have_one) return "";
   return fmt::format(
-      "{} {} move {} joints, and each joint needs its own, except one of five that keeps the tool level; a "
-      "bar "
-      "that moves a joint may be written as a [[loop]]",
+      "{} {} move {} joints, and each joint needs its own, except one of five that keeps the tool level; "
+      "a bar that moves a joint may be written as a [[loop]]",
       motors, coupled.motors.empty() ? "joints that follow none" : "motors", joints);
 }
 

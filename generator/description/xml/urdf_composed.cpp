@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "description/xml/urdf_planar.h"
+#include "description/xml/urdf_composed.h"
 
 #include <algorithm>
 #include <array>
