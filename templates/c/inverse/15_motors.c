@@ -7,8 +7,10 @@ typedef struct WithinMotors {
   Values lower, upper, centre, per_motion;
   double square_of_motion[bounded], per_square[bounded];
   TurnRange ranges[bounded];
+  bool has_range[bounded];
   Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
-  int joined[bounded], joined_count;  // levels that are not alone
+  int settled[bounded], settled_count;  // values that stay or are moved alone
+  int joined[bounded], joined_count;    // levels that are not alone
 } WithinMotors;
 
 /// The first value that is settled by a level; those before the first pivot are by level -1.
@@ -33,13 +35,22 @@ static void set_value_limits(WithinMotors* within, int place, double lower, doub
   within->upper.of[place] = is_range ? upper : -tolerance_farthest_joint;
 }
 
+/// Finds the numbers of turns of a level that bring its pivot inside, once.
+static void find_range(WithinMotors* within, int level) {
+  if (within->has_range[level]) return;
+  const int pivot = level_begin(level);
+  within->ranges[level] = turn_range(motion_of(level, pivot), within->lower.of[pivot], within->upper.of[pivot],
+                                     within->centre.of[pivot]);
+  within->has_range[level] = true;
+}
+
 /// Sets the bounds of what a level moves, alone or with others.
 static void set_level(WithinMotors* within, int level) {
   const int pivot = level_begin(level);
-  const TurnRange range = turn_range(motion_of(level, pivot), within->lower.of[pivot], within->upper.of[pivot],
-                                     within->centre.of[pivot]);
-  within->ranges[level] = range;
+  find_range(within, level);
+  const TurnRange range = within->ranges[level];
   if (is_alone(level)) {
+    within->settled[within->settled_count++] = pivot;
     within->alone_lower.of[pivot] = range.lower - limit_tolerance;
     within->alone_upper.of[pivot] = range.upper + limit_tolerance;
     within->alone_step.of[pivot] = range.step;
@@ -58,27 +69,39 @@ static void set_level(WithinMotors* within, int level) {
   within->per_square[level] = square != 0 ? 1 / square : 0;
 }
 
-/// Limits of motors next to a centre. A centre beyond which whole turns are lost in rounding is none, nor is what is no
-/// number.
-static void set_within_motors(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
+/// Sets limits of values and a centre alone. A centre beyond which whole turns are lost in rounding is none, nor is what is
+/// no number.
+static void set_limits_of_values(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
   double sensible[whole_dof];
-  memset(within->per_motion.of, 0, sizeof within->per_motion.of);
-  memset(within->square_of_motion, 0, sizeof within->square_of_motion);
-  memset(within->per_square, 0, sizeof within->per_square);
-  memset(within->alone_step.of, 0, sizeof within->alone_step.of);
-  memset(within->alone_per_step.of, 0, sizeof within->alone_per_step.of);
-  memset(within->alone_middle.of, 0, sizeof within->alone_middle.of);
   for (int i = 0; i < whole_dof; ++i) sensible[i] = fabs(centre[i]) < tolerance_lost_centre ? centre[i] : 0;
   within->centre = values_of(sensible);
   for (int i = 0; i < bounded; ++i) {
     const int motor = motor_of[i];
     set_value_limits(within, i, motor >= 0 ? lower[motor] : own_lower[i], motor >= 0 ? upper[motor] : own_upper[i]);
-    const bool stays = i < level_begin(0);
-    within->alone_lower.of[i] = stays ? within->lower.of[i] - limit_tolerance : -tolerance_farthest_joint;
-    within->alone_upper.of[i] = stays ? within->upper.of[i] + limit_tolerance : tolerance_farthest_joint;
+    within->has_range[i] = false;
   }
+}
+
+/// Makes the search for turns ready, by limits of values.
+static void set_levels(WithinMotors* within) {
+  memset(within->per_motion.of, 0, sizeof within->per_motion.of);
+  memset(within->square_of_motion, 0, sizeof within->square_of_motion);
+  memset(within->per_square, 0, sizeof within->per_square);
+  for (int i = 0; i < level_begin(0); ++i) {
+    within->settled[i] = i;
+    within->alone_lower.of[i] = within->lower.of[i] - limit_tolerance;
+    within->alone_upper.of[i] = within->upper.of[i] + limit_tolerance;
+    within->alone_step.of[i] = within->alone_per_step.of[i] = within->alone_middle.of[i] = 0;
+  }
+  within->settled_count = level_begin(0);
   within->joined_count = 0;
   for (int level = 0; level < turn_count; ++level) set_level(within, level);
+}
+
+/// Sets limits of motors next to a centre, and makes the search ready.
+static void set_within_motors(WithinMotors* within, const double* lower, const double* upper, const double* centre) {
+  set_limits_of_values(within, lower, upper, centre);
+  set_levels(within);
 }
 
 static void turn_values(int level, double number, Values* values) {
@@ -226,14 +249,14 @@ static bool take_only(const WithinMotors* within, int level, Values* values) {
 
 /// Brings the values that are moved alone next to their centres, others stay. Returns false if one is outside.
 static bool settle_alone(const WithinMotors* within, Values* values) {
-  bool holds = true;
-  for (int i = 0; i < bounded; ++i) {
+  for (int k = 0; k < within->settled_count; ++k) {
+    const int i = within->settled[k];
     const double off = within->alone_middle.of[i] - values->of[i];
-    values->of[i] += within->alone_step.of[i] * nearest_whole(off * within->alone_per_step.of[i]);
-    const bool is_in = values->of[i] - within->alone_lower.of[i] >= 0 && within->alone_upper.of[i] - values->of[i] >= 0;
-    holds = holds && is_in;
+    const double value = values->of[i] + within->alone_step.of[i] * nearest_whole(off * within->alone_per_step.of[i]);
+    if (!(value - within->alone_lower.of[i] >= 0 && within->alone_upper.of[i] - value >= 0)) return false;
+    values->of[i] = value;
   }
-  return holds;
+  return true;
 }
 
 /// Settles all levels that are not alone, a block or a level at a time.

@@ -87,17 +87,19 @@ static void start_motor_representatives(const MotorRows* found, const double* lo
   all->level = -1;
 }
 
-static void open_level(const WithinMotors* within, const Values* from, Representatives* all) {
+static void open_level(WithinMotors* within, const Values* from, Representatives* all) {
   ++all->level;
+  find_range(within, all->level);
   start_turns(&all->turns[all->level], from, all->level, &within->ranges[all->level]);
 }
 
 /// Goes to the next representative of a row; false if there is none.
-static bool next_of_row(const WithinMotors* within, Representatives* all) {
+static bool next_of_row(WithinMotors* within, Representatives* all) {
   double number = 0;
   while (all->level >= 0) {
     const int level = all->level;
     Turns* turns = &all->turns[level];
+    find_range(within, level);
     if ((within->ranges[level].is_open && turns->has_one != 0) ||
         !next_turn(turns, level, &within->ranges[level], &number)) {
       --all->level;
@@ -117,7 +119,7 @@ static bool next_of_row(const WithinMotors* within, Representatives* all) {
 }
 
 /// Begins with a row that has a representative inside. Returns true if that stands in `row` already.
-static bool begin_row(const WithinMotors* within, Representatives* all) {
+static bool begin_row(WithinMotors* within, Representatives* all) {
   const Values values = values_of(all->row.q);
   if (!is_inside(within, -1, &values)) return false;
   if (turn_count > 0) {
@@ -132,8 +134,9 @@ static bool begin_row(const WithinMotors* within, Representatives* all) {
 static bool next_motor_representative(Representatives* all) {
   const double zero[whole_dof] = {0};
   WithinMotors within;
-  set_within_motors(&within, all->lower, all->upper, zero);
+  set_limits_of_values(&within, all->lower, all->upper, zero);
   if (next_of_row(&within, all)) return true;
+  set_levels(&within);
   while (all->next_row < all->solutions->count) {
     double square = 0;
     bool is_cut = false;
