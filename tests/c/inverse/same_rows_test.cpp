@@ -217,6 +217,7 @@ TEST_P(SameRows, NextToASeedIsTheNearestOfAll) {
   const InverseUnderTest& cxx = GetParam();
   if (cxx.info.task == Task::direction || cxx.info.task == Task::position_and_direction)
     GTEST_SKIP() << "asked for a direction";
+  if (!cxx.info.stable_branches) GTEST_SKIP() << "of a quartic the nearest root is followed";
   int looked_at = 0;
   for (int i = 0; i < 2 * pose_count(); ++i) {
     const Sample sample = sample_at(test_, test_.joints());
@@ -224,7 +225,7 @@ TEST_P(SameRows, NextToASeedIsTheNearestOfAll) {
     for (const double radians : {3e-3, 0.1, 1.0, 3.0}) {
       const Eigen::VectorXd seed = sample.q + radians / pi * test_.joints();
       const Found all = solve(cxx, sample.pose, given, inverse::default_tolerance);
-      if (all.status != Status::solved || all.effort.passes > 0 || all.effort.steps > 0) continue;
+      if (all.status != Status::solved || all.effort.passes > 0) continue;
       const double least = least_apart(all, seed);
       const std::string what = std::to_string(i) + ", " + std::to_string(radians) + " rad\n" + text(all);
       const Found in_c = c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {});
@@ -238,6 +239,7 @@ TEST_P(SameRows, NextToASeedIsTheNearestOfAll) {
       ++looked_at;
     }
   }
+  EXPECT_GT(looked_at, 0);
   std::printf("%-24s nearest of all, %d seeds\n", cxx.name.c_str(), looked_at);
 }
 
