@@ -7,7 +7,6 @@ typedef struct WithinMotors {
   Values lower, upper, centre, per_motion;
   double square_of_motion[bounded], per_square[bounded];
   TurnRange ranges[bounded];
-  bool has_range[bounded];
   Values alone_lower, alone_upper, alone_step, alone_per_step, alone_middle;
   int settled[bounded], settled_count;  // values that stay or are moved alone
   int joined[bounded], joined_count;    // levels that are not alone
@@ -35,20 +34,12 @@ static void set_value_limits(WithinMotors* within, int place, double lower, doub
   within->upper.of[place] = is_range ? upper : -tolerance_farthest_joint;
 }
 
-/// Finds the numbers of turns of a level that bring its pivot inside, once.
-static void find_range(WithinMotors* within, int level) {
-  if (within->has_range[level]) return;
-  const int pivot = level_begin(level);
-  within->ranges[level] = turn_range(motion_of(level, pivot), within->lower.of[pivot], within->upper.of[pivot],
-                                     within->centre.of[pivot]);
-  within->has_range[level] = true;
-}
-
 /// Sets the bounds of what a level moves, alone or with others.
 static void set_level(WithinMotors* within, int level) {
   const int pivot = level_begin(level);
-  find_range(within, level);
-  const TurnRange range = within->ranges[level];
+  const TurnRange range = turn_range(motion_of(level, pivot), within->lower.of[pivot], within->upper.of[pivot],
+                                     within->centre.of[pivot]);
+  within->ranges[level] = range;
   if (is_alone(level)) {
     within->settled[within->settled_count++] = pivot;
     within->alone_lower.of[pivot] = range.lower - limit_tolerance;
@@ -78,7 +69,6 @@ static void set_limits_of_values(WithinMotors* within, const double* lower, cons
   for (int i = 0; i < bounded; ++i) {
     const int motor = motor_of[i];
     set_value_limits(within, i, motor >= 0 ? lower[motor] : own_lower[i], motor >= 0 ? upper[motor] : own_upper[i]);
-    within->has_range[i] = false;
   }
 }
 
