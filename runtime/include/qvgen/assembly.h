@@ -46,13 +46,10 @@ inline constexpr double rounding_of_loops = 1e-13;
 /// Gap, as a share of the size, of poses for chains of fewer joints than there are equations.
 inline constexpr double pose_of_few_joints = 1e-11;
 
-/// True if the values of all joints that are not given are finite.
-template <int dof, std::size_t count>
-bool are_finite(const Joints<dof>& q, const std::array<bool, count>& given) {
-  double zero = 0;  // infinity times zero is no number
-  for (int i = 0; i < dof; ++i)
-    if (!given[static_cast<std::size_t>(i)]) zero += 0 * q[i];
-  return zero == 0;
+/// True if all joint values are finite: infinity times zero is no number.
+template <int dof>
+bool are_finite(const Joints<dof>& q) {
+  return (0.0 * q).sum() == 0;
 }
 
 /// Appends a row, but for one that an earlier row it meets is; for generated code.
