@@ -363,6 +363,16 @@ def test_with_several_joints_given(gantry, rows):
     np.testing.assert_allclose(near.q, q, atol=1e-8)
 
 
+def test_joints_within_limits_are_not_unreachable_where_one_is_free(ns, rows):
+    q = rows(ns)
+    q[:, 4] = 0  # axes 4 and 6 are one line
+    poses = ns.forward_kinematics(q)
+    for n in range(len(q)):
+        limits = (q[n] - 0.05, q[n] + 0.05)
+        for seed in (None, np.zeros(6)):
+            assert ns.inverse_kinematics(poses[n], seed, limits=limits).status in (qvgen.Status.singular, qvgen.Status.incomplete)
+
+
 def test_nearest_pose(scara, rows):
     q = rows(scara)
     poses = scara.forward_kinematics(q)

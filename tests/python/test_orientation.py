@@ -86,6 +86,33 @@ def test_rates(letters):
     assert locked.singular and not locked.matrix.any()
 
 
+@pytest.mark.parametrize("letters", orientation.LETTERS)
+def test_other_euler_angles(letters):
+    angles = RANDOM.uniform(-np.pi, np.pi, (200, 3))
+    other = orientation.other_euler_angles(angles, letters)
+    turns = [orientation.matrix(orientation.from_euler(each, letters)) for each in (angles, other)]
+    assert np.abs(turns[0] - turns[1]).max() < 1e-14
+    assert np.abs(other - angles).max(axis=1).min() > 1e-3 and (other > -np.pi).all() and (other <= np.pi).all()
+    assert np.abs(np.exp(1j * orientation.other_euler_angles(other, letters)) - np.exp(1j * angles)).max() < 1e-14
+
+
+def test_rates_of_rotation_vectors():
+    scale = 10 ** RANDOM.uniform(-9, 0.6, (400, 1))
+    vectors, rates, h = scale * RANDOM.uniform(-1, 1, (400, 3)), RANDOM.normal(size=(400, 3)), 1e-5
+    after, before = (orientation.from_rotation_vector(vectors + s * h * rates) for s in (1, -1))
+    omega = orientation.rotation_vector(orientation.multiply(after, before * [1, -1, -1, -1])) / (2 * h)
+    inverse = orientation.rotation_vector_rate_inverse(vectors)
+    lengths = np.linalg.norm(vectors, axis=1)
+    regular = np.abs(np.sin(lengths / 2)) > 0.05 * lengths
+    assert not inverse.singular.any() and regular.sum() > 300
+    assert np.abs(np.einsum("nij,nj->ni", inverse.matrix, omega) - rates)[regular].max() < 1e-6
+    geometric = np.broadcast_to(np.concatenate([np.eye(3), np.eye(3)]), (400, 6, 3))
+    j = orientation.analytical_jacobian(geometric, vectors)
+    assert np.array_equal(j.matrix[:, 3:], inverse.matrix) and (j.matrix[:, :3] == np.eye(3)).all()
+    turn = orientation.rotation_vector_rate_inverse([[0, 0, 2 * np.pi], [0, 0, 0]])
+    assert list(turn.singular) == [True, False] and not turn.matrix[0].any() and (turn.matrix[1] == np.eye(3)).all()
+
+
 def test_nearest_rotation():
     q = RANDOM.normal(size=(200, 4))
     q /= np.linalg.norm(q, axis=1)[:, None]

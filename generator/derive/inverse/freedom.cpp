@@ -38,9 +38,10 @@ class Placed {
     std::copy(across.begin() + 3, across.end(), all.begin() + 3);
     return all;
   }
-  /// Returns the column of a tool point on a joint's axis.
-  [[nodiscard]] Column column_about(std::size_t joint, std::size_t axis) const {
-    return column(joint, carried(screws_[axis].point, axis));
+  /// Returns the column of a tool point that joint `k` and those after it do not move; with joints at zero it
+  /// is at `point`.
+  [[nodiscard]] Column column_about(std::size_t joint, std::size_t k, const Vector& point) const {
+    return column(joint, carried(at_sample(point), k));
   }
 
  private:
@@ -137,12 +138,12 @@ std::string dependent_joints_of_inclination(const Attempt& attempt) {
   return "at every pose some joints can move without moving the tool point or inclining the tool";
 }
 
-std::string dependent_joints_about(const Attempt& attempt, std::size_t k) {
+std::string dependent_joints_about(const Attempt& attempt, std::size_t k, const Vector& point) {
   for (const long place : {1, 2, 3}) {
     const Placed placed(attempt, place);
     std::vector<Column> columns;
     for (std::size_t joint = 0; joint < 4; ++joint)
-      if (joint != k) columns.push_back(placed.column_about(joint, k));
+      if (joint != k) columns.push_back(placed.column_about(joint, k, point));
     if (independent(std::move(columns), 3)) return "";
   }
   return "at every pose they can move without moving it";
@@ -152,7 +153,8 @@ std::string dependent_joints_of_level(const Attempt& attempt) {
   for (const long place : {1, 2, 3}) {
     const Placed placed(attempt, place);
     std::vector<Column> columns;
-    for (std::size_t joint = 0; joint < 3; ++joint) columns.push_back(placed.column_about(joint, 3));
+    for (std::size_t joint = 0; joint < 3; ++joint)
+      columns.push_back(placed.column_about(joint, 3, attempt.chain.screws[3].point));
     if (independent(std::move(columns), 3)) return "";
   }
   return "at every pose some joints can move without moving the last axis";

@@ -26,8 +26,8 @@ std::string dependent_joints_of_inclination(const Attempt& attempt);
 /// on the last axis in every way at an ordinary place.
 std::string dependent_joints_of_level(const Attempt& attempt);
 
-/// Names the dependent joints of an arm whose joint k of four has a point on its axis that the three others
+/// Names the dependent joints of an arm whose joint k of four has a `point` on its axis that the three others
 /// place.
-std::string dependent_joints_about(const Attempt& attempt, std::size_t k);
+std::string dependent_joints_about(const Attempt& attempt, std::size_t k, const symbolic::Vector& point);
 
 }  // namespace qvgen::derive::inverse

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/freedom.h"
@@ -11,12 +12,13 @@ namespace qvgen::derive::inverse {
 using GiNaC::ex;
 using symbolic::cross;
 using symbolic::dot;
+using symbolic::Vector;
 
 namespace {
 
 /// cos and sin of an angle, of any length: the quaternion's turn about the axis.
-Flat twist(const symbolic::Quaternion& q, const symbolic::Vector& axis, const Scope& scope) {
-  const ex along = scope.clean(dot(axis, symbolic::Vector{q.x, q.y, q.z}));
+Flat twist(const symbolic::Quaternion& q, const Vector& axis, const Scope& scope) {
+  const ex along = scope.clean(dot(axis, Vector{q.x, q.y, q.z}));
   return {q.w * q.w - along * along, 2 * q.w * along};
 }
 
@@ -38,6 +40,19 @@ Flat rest_in_plane(Attempt& attempt, const std::vector<Screw>& others, const Scr
   return rest;
 }
 
+/// Finds a point on the axis of joint k that the other joints place. The nearest to the arm's lines is tried
+/// first. It may be where another axis crosses, about which that joint turns in vain; then one beside it
+/// serves.
+std::optional<Vector> placed_point(const Attempt& attempt, std::size_t k, std::string& reason) {
+  const Screw& turn = attempt.chain.screws[k];
+  const ex beside = GiNaC::numeric(1, 4);  // metres
+  for (const Vector& point : {turn.point, turn.point + beside * turn.axis}) {
+    reason = dependent_joints_about(attempt, k, point);
+    if (reason.empty()) return point;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string by_single_turn(Attempt& attempt, std::size_t k) {
@@ -45,11 +60,12 @@ std::string by_single_turn(Attempt& attempt, std::size_t k) {
   const std::string number = attempt.joints(k, 1);
   if (!turn.revolute) return "joint " + number + " does not turn";
   const std::string no_place = "the others cannot place a point on axis " + number + ": ";
-  if (const std::string reason = dependent_joints_about(attempt, k); !reason.empty())
-    return no_place + reason;
+  std::string reason;
+  const std::optional<Vector> point = placed_point(attempt, k, reason);
+  if (!point) return no_place + reason;
   Target target(attempt.builder, attempt.chain.home);
-  if (const std::string reason = place_centre(attempt, target, k, 1, turn.point); !reason.empty())
-    return no_place + reason;
+  reason = place_centre(attempt, target, k, 1, *point);
+  if (!reason.empty()) return no_place + reason;
   const auto& screws = attempt.chain.screws;
   const auto middle = screws.begin() + static_cast<std::ptrdiff_t>(k);
   const std::vector<Screw> pre(screws.begin(), middle);

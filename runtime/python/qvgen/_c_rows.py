@@ -78,7 +78,9 @@ static ptrdiff_t all_rows(const qvgen_call* c, int seed_at, solver solve) {{
     double count = found.count;
     if (seed == NULL && c->lower != NULL) {{
       count = representatives(c, k, &found);
-      if (found.count > 0 && count == 0) found.status = {robot}_unreachable;
+      /* A free joint may have values inside, which nothing has looked for. */
+      if (found.count > 0 && count == 0)
+        found.status = found.status == {robot}_singular || found.effort.passes > 0 ? {robot}_incomplete : {robot}_unreachable;
     }} else {{
       for (int n = 0; n < found.count; ++n) put(c, k * c->capacity + n, &found.rows[n]);
     }}

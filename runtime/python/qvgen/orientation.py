@@ -169,6 +169,14 @@ def euler_angles(wxyz, convention, last_in_lock=0.0):
     return EulerAngles(np.where(valid[..., None], angles, np.nan), lock & valid)
 
 
+def other_euler_angles(angles, convention):
+    """The second set of Euler angles of the same orientation: the outer ones half a turn on."""
+    (first, _, third), _ = _axes(convention)
+    a = _array(angles, 3)
+    middle = -a[..., 1] if first == third else np.pi - a[..., 1]
+    return _wrap(np.stack([a[..., 0] + np.pi, middle, a[..., 2] + np.pi], axis=-1))
+
+
 def euler_rate_matrix(angles, convention):
     """E with angular velocity in the fixed frame = E * (rates of the Euler angles)."""
     (first, second, third), fixed = _axes(convention)
@@ -191,11 +199,26 @@ def euler_rate_inverse(angles, convention):
     return Rates(np.where(singular[..., None, None], 0, divided), singular)
 
 
-def analytical_jacobian(geometric, angles, convention):
+def rotation_vector_rate_inverse(vector):
+    """Matrix E^-1 with (rates of the rotation vector) = E^-1 * angular velocity in the fixed frame; singular, and zero, at
+    whole turns other than none."""
+    v = _array(vector, 3)
+    angle = _norm(v)
+    half = angle / 2
+    sine = np.sin(half)
+    singular = (angle > 1) & (np.abs(sine) <= _LOCK * half)
+    divided = 1 - half * np.cos(half) / np.where((angle < 1e-3) | singular, 1, sine)
+    factor = np.where(angle < 1e-3, 1 / 12 + angle * angle / 720, divided / np.where(angle < 1e-3, 1, angle * angle))
+    cross = -np.cross(v[..., None, :], np.eye(3))
+    inverse = np.eye(3) - cross / 2 + factor[..., None, None] * (cross @ cross)
+    return Rates(np.where(singular[..., None, None], 0, inverse), singular)
+
+
+def analytical_jacobian(geometric, angles, convention=None):
     """Jacobian of position and Euler angles of the one in the world frame (6, dof), linear rows first; singular: its
-    angular rows are zero."""
+    angular rows are zero. Without a convention `angles` is a rotation vector."""
     j = np.asarray(geometric, dtype=float)
-    rates = euler_rate_inverse(angles, convention)
+    rates = rotation_vector_rate_inverse(angles) if convention is None else euler_rate_inverse(angles, convention)
     return Rates(np.concatenate([j[..., :3, :], rates.matrix @ j[..., 3:, :]], axis=-2), rates.singular)
 
 

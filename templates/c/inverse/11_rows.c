@@ -252,8 +252,15 @@ static inline bool row_within(const Within* within, const double* lower, const d
   return within->admits;
 }
 
+/// True if the pose leaves a joint free, or nearly: other places of the continuum may be inside limits that a row exceeds.
+static bool stands_for_others(const Solutions* found) {
+  bool marked = false;
+  for (int i = 0; i < found->count; ++i) marked = marked || found->rows[i].continuum;
+  return found->count > 0 && (marked || found->effort.passes > 0);
+}
+
 /// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
-/// first.
+/// first. Without a row the set is incomplete if a free joint may have values inside: none is looked for.
 static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
                                const double* upper) {
   const Within within = within_limits_near(seed, lower, upper);
@@ -270,6 +277,7 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
     ++kept;
   }
   const int status = found->status;
+  if (kept == 0 && stands_for_others(found)) found->effort.used_up = 1;
   found->count = kept;
   sort_rows(found->rows, kept, squares);
   // A row inside the limits may be among those that an incomplete set lacks.
