@@ -40,7 +40,7 @@ std::string line_without_plan(const model::Mechanism& mechanism, const LoopVaria
   std::string reason = fmt::format("{}", fmt::join(reasons, "; "));
   try {
     const std::string places = variant.function == "assemble" ? text_of_places(mechanism) : "";
-    if (!places.empty()) return fmt::format("assemble from {}, in C++: {}", from, places);
+    if (!places.empty()) return fmt::format("assemble from {}: {}", from, places);
   } catch (const std::domain_error& error) {
     reason += "; " + std::string(error.what());
   }

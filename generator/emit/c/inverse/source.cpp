@@ -248,6 +248,7 @@ std::string loops(const json& values) {
   for (const char* part : {"equations", "motion", "solve"})
     source += render(fmt::format("c/assembly_{}.c", part), values) + "\n";
   if (values["has_limbs"]) source += render("c/assembly_tips.c", values) + "\n";
+  if (values["has_rods"]) source += render("c/assembly_rods.c", values) + "\n";
   if (values["has_inverse"]) source += render("c/assembly_inverse.c", values) + "\n";
   if (values["has_dynamics"]) source += render("c/assembly_dynamics.c", values);
   return render("c/assembly_head.c", values) + "\n" + in_double_precision(wrapped(blocks::reached(source)));
