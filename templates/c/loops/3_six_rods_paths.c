@@ -1,7 +1,7 @@
 // Paths to the places of a platform on six rods, and proofs of their ends: path.h, proof.h and places.h in six_rods/ of the C++
 // library say more of each.
 
-enum { series_order = 10 };
+static const int series_order = 10;
 
 /// Follows one point while the squares of the lengths go along a line.
 typedef struct RodPath {
@@ -12,7 +12,7 @@ typedef struct RodPath {
 
 /// A path's coefficients.
 typedef struct RodSeries {
-  StudyPoint of[series_order + 1];
+  StudyPoint of[11];  // series_order and one more
 } RodSeries;
 
 /// Jacobian in the patch, by all coordinates but the first, which follows the others there.
