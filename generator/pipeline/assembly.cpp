@@ -174,11 +174,10 @@ std::string closed_gap(const model::Mechanism& mechanism) {
 }
 
 /// Adds `assemble` of a platform on six rods; false for other mechanisms, and with the reason if that fails.
-bool add_six_rods(const model::Mechanism& mechanism, const LoopVariant& variant, Language language,
-                  json& values, std::string& reason) {
+bool add_six_rods(const model::Mechanism& mechanism, const LoopVariant& variant, json& values,
+                  std::string& reason) {
   if (variant.function != "assemble" || !is_on_six_rods(mechanism)) return false;
   try {
-    if (language != Language::cxx) throw std::domain_error("from the lengths of six rods they are in C++");
     values["variants"].push_back(six_rods_variant(mechanism, variant, values["tips"]));
   } catch (const std::domain_error& error) {
     reason += "; " + std::string(error.what());
@@ -188,7 +187,7 @@ bool add_six_rods(const model::Mechanism& mechanism, const LoopVariant& variant,
 }
 
 void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
-                  Language language, RobotOutput& output, json& values) {
+                  RobotOutput& output, json& values) {
   values["variants"] = json::array();
   for (const PlannedVariant& each : plans) {
     if (each.assembly.found) {
@@ -197,7 +196,7 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<PlannedVa
     }
     if (each.variant.of_limb) continue;  // missed by the limb's inverse kinematics alone
     std::string reason = joined(each.assembly.reasons);
-    if (add_six_rods(mechanism, each.variant, language, values, reason)) continue;
+    if (add_six_rods(mechanism, each.variant, values, reason)) continue;
     output.missing.push_back({each.variant.function, Missing::Kind::not_derived, reason});
     if (each.variant.function == "assemble") values["missing"] = {{"reason", reason}};
   }
@@ -271,7 +270,7 @@ json values_of(const model::Mechanism& mechanism, const Surroundings& has,
   add_own_joints(loops.actuated, passive.size(), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
   add_configuration(mechanism.robot, values);
-  add_variants(mechanism, plans, has.language, output, values);
+  add_variants(mechanism, plans, output, values);
   return values;
 }
 

@@ -21,13 +21,16 @@ void add_kinds(const model::Robot& robot, json& values) {
   values["kinds"] = commas(kinds);
 }
 
-/// Adds the ways in C.
-void add_variants_in_c(const std::vector<PlannedVariant>& plans, const json& cpp, json& values) {
-  values["variants"] = json::array();
-  std::size_t next = 0;
-  for (const PlannedVariant& each : plans) {
-    if (each.assembly.found)
-      values["variants"].push_back(variant_in_c(each.variant, each.assembly, cpp["variants"][next++]));
+/// Adds the ways in C. One without a plan is that of a platform on six rods.
+void add_variants_in_c(const std::vector<PlannedVariant>& plans, json& values) {
+  for (json& way : values["variants"]) {
+    const auto plan = std::find_if(plans.begin(), plans.end(), [&](const PlannedVariant& each) {
+      return each.assembly.found && each.variant.function == way["function"];
+    });
+    if (plan == plans.end())
+      way["p"] = way["function"].get<std::string>() + "_";
+    else
+      way = variant_in_c(plan->variant, plan->assembly, way);
   }
 }
 
@@ -53,6 +56,8 @@ void add_capacity(const std::vector<PlannedVariant>& plans, json& values) {
     else
       others.push_back(capacity_in_c(each.assembly));
   }
+  for (const json& way : values["variants"])
+    if (way["rods"] == true) capacity = std::max(capacity, way["capacity"].get<int>());
   for (json& tip : values["tips"]) {
     if (tip["inverse"] == false) continue;
     const std::string ways = capacity_of(plans, tip["inverse"]["function"]);
@@ -85,7 +90,7 @@ void add_joints_of_tips(const model::Mechanism& mechanism, json& tips) {
 emit::c::Part loops_in_c(const model::Mechanism& mechanism, const std::vector<PlannedVariant>& plans,
                          const AssemblyPlan& first, const json& cpp) {
   json values = cpp;
-  add_variants_in_c(plans, cpp, values);
+  add_variants_in_c(plans, values);
   add_kinds(mechanism.robot, values);
   add_joints_of_tips(mechanism, values["tips"]);
   add_constraints_in_c(first, values);

@@ -8,6 +8,7 @@
 #include "pipeline/assembly_values.h"
 #include "pipeline/loop_variants.h"
 #include "pipeline/six_rods.h"
+#include "verify/loops/driven.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::pipeline {
@@ -39,10 +40,15 @@ std::string line_without_plan(const model::Mechanism& mechanism, const LoopVaria
   std::string reason = fmt::format("{}", fmt::join(reasons, "; "));
   try {
     const std::string places = variant.function == "assemble" ? text_of_places(mechanism) : "";
-    if (!places.empty()) return fmt::format("assemble from {}, in C++: {}", from, places);
+    if (!places.empty()) return fmt::format("assemble from {}: {}", from, places);
   } catch (const std::domain_error& error) {
     reason += "; " + std::string(error.what());
   }
+  const auto& joints = mechanism.robot.joints;
+  const auto other = variant.function == "assemble" ? verify::motor_for_closed_form(mechanism) : std::nullopt;
+  if (other)
+    reason += fmt::format("; with {} driven in place of {} there is a closed form",
+                          joints[other->joint].variable, joints[other->motor].variable);
   return fmt::format("no {} from {}: {}", variant.function, from, reason);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random mechanisms on rods under bases that float: dynamics of the base and the motors, in C. The reference
-// has three slides and three turns in place of the base, and multipliers that hold the loops together: it
-// knows no floating base and no rates of loops.
+// Random mechanisms on rods under bases that float: tips, and dynamics of the base and the motors, in C. The
+// reference has three slides and three turns in place of the base, and multipliers that hold the loops
+// together: it knows no floating base and no rates of loops.
 #include <gtest/gtest.h>
 
 #include "base_motion.h"
@@ -16,6 +16,7 @@
 namespace qvgen::test::loops {
 namespace {
 
+using Eigen::Vector3d;
 using reference::product;
 using trees::BaseMotion;
 using trees::joined;
@@ -80,6 +81,15 @@ reference::LoopMechanism reference_of(const std::string& text, const std::filesy
   return reference::load_loops(file);
 }
 
+/// A tip in the world: its pose, its velocity by those of the base and the motors, and its acceleration where
+/// these have none.
+struct TipInWorld {
+  Eigen::Vector4d turn;  ///< w x y z
+  Vector3d place;
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> jacobian;
+  Eigen::Matrix<double, 6, 1> bias;
+};
+
 /// Generated functions of the mechanism m; vectors begin with the base's six.
 class Functions {
  public:
@@ -112,6 +122,32 @@ class Functions {
                                      const VectorXd& add) const {
     return called("m_loop_forces", base, q, ad, add, dof_ - driven_);
   }
+  /// Calls one of these three under gravity of any direction.
+  [[nodiscard]] VectorXd falling(const std::string& name, const Vector3d& gravity, const VectorXd& base,
+                                 const VectorXd& q, const VectorXd& ad, const VectorXd& more) const {
+    using Function = void(const double*, const double*, const double*, const double*, const double*,
+                          const double*, const double*, double*);
+    VectorXd result(name == "loop_forces" ? dof_ - driven_ : 6 + driven_);
+    compiled_->get<Function>("m_" + name + "_with_gravity_vector")(
+        base.data(), q.data(), ad.data(), more.data(), nullptr, nullptr, gravity.data(), result.data());
+    return result;
+  }
+  [[nodiscard]] VectorXd joint_accelerations(const VectorXd& q, const VectorXd& qd,
+                                             const VectorXd& add) const {
+    VectorXd result(dof_);
+    compiled_->get<void(const double*, const double*, const double*, const double*, double*)>(
+        "m_accelerations")(q.data(), qd.data(), add.data(), nullptr, result.data());
+    return result;
+  }
+  [[nodiscard]] TipInWorld tip(const VectorXd& base, const VectorXd& q, const VectorXd& ad) const {
+    TipInWorld found;
+    found.jacobian.resize(6, 6 + driven_);
+    compiled_->get<void(const double*, const double*, const double*, const double*, double*, double*, double*,
+                        double*)>("m_driven_tip_motion_of_end")(base.data(), q.data(), ad.data(), nullptr,
+                                                                found.turn.data(), found.place.data(),
+                                                                found.jacobian.data(), found.bias.data());
+    return found;
+  }
 
  private:
   [[nodiscard]] VectorXd called(const std::string& name, const VectorXd& base, const VectorXd& q,
@@ -137,6 +173,52 @@ VectorXd pose_of(const BaseMotion& base) {
 
 void expect_close(const MatrixXd& a, const MatrixXd& b, double tolerance) {
   EXPECT_LE(reference::largest(a - b), tolerance * (1 + reference::largest(b)));
+}
+
+/// Expects the tip where the reference has it; its velocity and its acceleration to be the reference's.
+void expect_tip(const Functions& m, const reference::LoopMechanism& joints, const BaseMotion& base,
+                const VectorXd& q, const VectorXd& ad) {
+  const reference::NamedFrame& frame = joints.chain.frames.front();
+  const MatrixXd rates = m.rates(q);
+  const VectorXd none = VectorXd::Zero(ad.size()), at = joined(base.q, q), qd = joined(base.qd, rates * ad);
+  const VectorXd qdd = joined(base.qdd, m.joint_accelerations(q, rates * ad, none));
+  const TipInWorld found = m.tip(pose_of(base), q, joined(base.velocity, ad));
+  const Eigen::Isometry3d pose = reference::pose_of(joints.chain, frame, at);
+  const Eigen::Vector4d& turn = found.turn;
+  expect_close(Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).toRotationMatrix(), pose.linear(),
+               1e-12);
+  expect_close(found.place, pose.translation(), 1e-12);
+  const MatrixXd by_joints = reference::jacobian_of(joints.chain, frame, at);
+  expect_close(found.jacobian.leftCols<6>(),
+               product(by_joints.leftCols<6>(), reference::inverse(base.by_rates(0))), 1e-11);
+  expect_close(found.jacobian.rightCols(ad.size()), product(by_joints.rightCols(q.size()), rates),
+               1e-11 * (1 + rates.norm()));
+  const double time = 1e-5;
+  const auto velocity = [&](double t) {
+    const VectorXd then = at + t * qd + t * t / 2 * qdd;
+    return product(reference::jacobian_of(joints.chain, frame, then), qd + t * qdd);
+  };
+  const MatrixXd expected = (velocity(time) - velocity(-time)) / (2 * time);
+  expect_close(found.jacobian * joined(base.acceleration, none) + found.bias, expected,
+               1e-6 * (1 + qd.norm()));
+}
+
+/// Expects that gravity of any direction acts as that along -z does on a world that is turned.
+void expect_falling(const Functions& m, const BaseMotion& base, const VectorXd& q, const VectorXd& ad,
+                    const VectorXd& more) {
+  const Vector3d falling =
+      gravity * Eigen::AngleAxisd(base.q[0], base.q.tail<3>().normalized()).toRotationMatrix().col(2);
+  const Eigen::Quaterniond back = Eigen::Quaterniond::FromTwoVectors(falling, Vector3d(0, 0, -gravity));
+  const VectorXd pose = pose_of(base);
+  const Eigen::Quaterniond turn = back * Eigen::Quaterniond(base.rotation);
+  VectorXd turned(7);
+  turned << turn.w(), turn.x(), turn.y(), turn.z(), back * base.q.head<3>();
+  const auto expect = [&](const std::string& name, const VectorXd& usual) {
+    expect_close(m.falling(name, falling, pose, q, ad, more), usual, 1e-10 * (1 + more.norm()));
+  };
+  expect("driven_inverse_dynamics", m.forces(turned, q, ad, more));
+  expect("driven_forward_dynamics", m.accelerations(turned, q, ad, more));
+  expect("loop_forces", m.loop_forces(turned, q, ad, more));
 }
 
 /// The laws of one motion: joints q, at which the loops are closed, their rates by the motors, and those of
@@ -176,6 +258,8 @@ void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
   expect_close(again, joined(wrench, motors), 1e-10 * (1 + reference::largest(masses * found)));
   // Which forces these are is tried in tests/floating and tests/python.
   EXPECT_TRUE(m.loop_forces(pose, q, velocity, found).allFinite());
+  expect_tip(m, joints, base, q, ad);
+  expect_falling(m, base, q, velocity, joined(wrench, motors));
   // A base that is held gives the numbers of one that stands still.
   const VectorXd upright = VectorXd::Unit(7, 0), none = VectorXd::Zero(6);
   const VectorXd at_rest = m.forces(upright, q, joined(none, 0 * ad), joined(none, 0 * ad)).tail(driven);

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "derive/inverse/lower.h"
@@ -19,6 +20,7 @@
 #include "symbolic/model.h"
 #include "verify/certificate.h"
 #include "verify/loops/certify_loops.h"
+#include "verify/loops/driven.h"
 
 namespace qvgen::test::loops_rods {
 namespace {
@@ -147,6 +149,55 @@ TEST(Rods, OfFourBarsWithSidesEqualInPairsNeedNoRoot) {
     expect_folding(true, {a, a, a, a});  // a rhombus
     expect_folding(false, {a, b, off, b});
     expect_folding(false, {a, b, b, off});
+  }
+}
+
+/// A head on three turns, which three motors hold by rods.
+std::string head_on_three_turns() {
+  std::string text =
+      "name = \"m\"\ntitle = \"m\"\nactuated = [\"m1\", \"m2\", \"m3\"]\n[[tip]]\nname = \"end\"\njoint = "
+      "\"yaw\"\n";
+  const auto joint = [&](const std::string& variable, const std::string& axis, const std::string& more) {
+    text +=
+        "[[joint]]\ntype = \"revolute\"\naxis = \"" + axis + "\"\nvariable = \"" + variable + "\"\n" + more;
+  };
+  joint("roll", "+x", "origin = [0, 0, 0.3]\n");
+  joint("pitch", "+y", "");
+  joint("yaw", "+z", "");
+  const std::array<std::string, 3> feet{"0.15, 0", "-0.075, 0.135", "-0.075, -0.135"};
+  const std::array<std::string, 3> ends{"0.1, 0", "-0.05, 0.09", "-0.05, -0.09"};
+  for (std::size_t i = 0; i < 3; ++i)
+    joint("m" + std::to_string(i + 1), i == 0 ? "+y" : "+x",
+          "parent = \"base\"\norigin = [" + feet[i] + ", 0]\nlink = [0.05, 0.01, 0]\n");
+  for (std::size_t i = 0; i < 3; ++i)
+    text += "[[loop]]\ntype = \"rod\"\nbetween = [\"m" + std::to_string(i + 1) +
+            "\", \"yaw\"]\nat = [[0, 0, 0], [" + ends[i] + ", 0.02]]\nlength = 0.31\n";
+  return text;
+}
+
+/// The reason says what would have a closed form, and that has one.
+TEST(Rods, ThatHoldThreeTurnsSayWhatWouldHaveAClosedForm) {
+  const auto read = description::read_text(head_on_three_turns(), "m.toml");
+  ASSERT_TRUE(read.robot);
+  const model::Mechanism mechanism{*read.robot, read.tips, read.loops};
+  const auto refused = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  ASSERT_EQ(refused.reasons.size(), 1U);
+  EXPECT_THAT(
+      refused.reasons.front(),
+      testing::AllOf(
+          testing::HasSubstr("roll, pitch, yaw are open; rods that hold the same joints are solved "
+                             "together if two hold two turns"),
+          testing::HasSubstr("drive some of these joints in place of motors, or name them in `outputs`")));
+  const auto other = verify::motor_for_closed_form(mechanism);
+  ASSERT_TRUE(other.has_value());
+  EXPECT_LT(other->joint, 3U);
+  std::vector<std::size_t> driven = mechanism.loops.actuated;
+  std::replace(driven.begin(), driven.end(), other->motor, other->joint);
+  for (const auto& given : {driven, std::vector<std::size_t>{0, 1, 2}}) {  // these would be outputs
+    const auto plan = derive::loops::assembly_plan(mechanism, given);
+    ASSERT_TRUE(plan.found);
+    const auto certificate = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), 3);
+    EXPECT_GE(certificate.assemblies, 3);
   }
 }
 

@@ -197,6 +197,36 @@ def test_dynamics_on_a_base_that_floats(name, motors, tmp_path):
     np.testing.assert_allclose(np.concatenate([forces[:, :6], held], axis=1), robot.inverse_dynamics(at, whole, qdd), atol=1e-6)
     with pytest.raises(ValueError, match="shape"):
         robot.driven_mass_matrix(q)
+    fall = [0, 0, -9.80665]
+    for each in ("driven_inverse_dynamics", "driven_forward_dynamics", "loop_forces"):
+        falling = getattr(robot, each + "_with_gravity_vector")
+        np.testing.assert_allclose(falling(at, ad, add, fall), getattr(robot, each)(at, ad, add), atol=1e-10)
+        assert np.abs(falling(at, ad, add, [1, 2, 3]) - falling(at, ad, add, fall)).max() > 0.1
+    check_tip(robot, "point" if name == "four_bar" else "foot", at, ad)
+
+
+def check_tip(robot, tip, at, ad):
+    """The tip moves as differences say, along a motion without accelerations; from the base's frame it is where pose_of_TIP says."""
+    moves, q = getattr(robot, f"driven_tip_motion_of_{tip}"), at[7:]
+    found, turn, place = moves(at, ad), qvgen.orientation.matrix(at[:4]), getattr(robot, f"pose_of_{tip}")(q)
+    np.testing.assert_allclose(found.pose[:, 4:], np.broadcast_to(at[4:7] + turn @ place[4:], (len(ad), 3)), atol=1e-12)
+    by_motors = getattr(robot, f"jacobian_of_{tip}")(q)
+    np.testing.assert_allclose(found.jacobian[0, :, 6:], np.concatenate([turn @ by_motors[:3], turn @ by_motors[3:]]), atol=1e-12)
+
+    def after(time):
+        rows = []
+        for velocity in ad:
+            v, w = velocity[:3], velocity[3:6]
+            base = qvgen.orientation.multiply(at[:4], qvgen.orientation.from_rotation_vector(w * time))
+            position = at[4:7] + turn @ (v * time + np.cross(w, v) * time ** 2 / 2)
+            rows.append(np.concatenate([base, position, robot.follow(q[robot.driven_joints] + time * velocity[6:], q).q]))
+        return moves(np.array(rows), ad)
+
+    velocity = np.einsum("nij,nj->ni", found.jacobian, ad)
+    before, behind = after(-STEP), after(STEP)
+    np.testing.assert_allclose((behind.pose[:, 4:] - before.pose[:, 4:]) / (2 * STEP), velocity[:, :3], atol=1e-7)
+    change = np.einsum("nij,nj->ni", behind.jacobian - before.jacobian, ad) / (2 * STEP)
+    np.testing.assert_allclose(change, found.bias, atol=1e-6)
 
 
 def test_loops_need_no_cxx_compiler():

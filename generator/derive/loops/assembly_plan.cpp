@@ -46,13 +46,6 @@ void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::siz
   }
 }
 
-std::string number_list(const std::vector<std::size_t>& cycles) {
-  std::string text;
-  for (std::size_t i = 0; i < cycles.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == cycles.size() ? " and " : ", ") + std::to_string(cycles[i] + 1);
-  return text;
-}
-
 /// Names of joints as the description has them, in a text of the derivation.
 std::string with_described_names(std::string text, const model::Robot& robot,
                                  const std::vector<std::string>& described) {
@@ -178,6 +171,13 @@ class Search {
     });
   }
 
+  /// True if no other open closure holds the same joints.
+  [[nodiscard]] bool is_alone(std::size_t i) const {
+    return std::count_if(open_.begin(), open_.end(), [&](std::size_t other) {
+             return solver_.unknown(cycle(other)) == solver_.unknown(cycle(i));
+           }) == 1;
+  }
+
   /// True if several distances that hold the same joints were solved together.
   bool coupled() {
     for (const std::size_t i : open_) {
@@ -233,19 +233,17 @@ class Search {
   bool platform() {
     std::vector<std::size_t> group;
     for (const std::size_t i : open_) {
-      if (cycle(i).type != model::LoopType::rod || unknowns(i) != 3 || !solver_.knows_length(cycle(i)))
+      const std::vector<std::size_t> joints = solver_.unknown(cycle(i));
+      const bool slides = std::none_of(joints.begin(), joints.end(), [&](auto j) { return turns(j); });
+      if (cycle(i).type != model::LoopType::rod || joints.size() != 3 || !slides ||
+          !solver_.knows_length(cycle(i)))
         continue;
-      if (group.empty() || solver_.unknown(cycle(i)) == solver_.unknown(cycle(group.front())))
-        group.push_back(i);
+      if (group.empty() || joints == solver_.unknown(cycle(group.front()))) group.push_back(i);
       if (group.size() == 3) break;
     }
     if (group.size() != 3) return false;
     const std::string problem = solver_.three_spheres({&cycle(group[0]), &cycle(group[1]), &cycle(group[2])});
-    if (!problem.empty()) {
-      assembly_.reasons.push_back("loops " + number_list(group) + " hold " + problem +
-                                  ": three rods place a platform on three slides at right angles");
-      return false;
-    }
+    if (!problem.empty()) return refuse(problem);
     close(group, assembly_.used);
     return true;
   }
@@ -300,8 +298,11 @@ class Search {
       return "joints that follow each other have no closed form here: " + unknown_names(i) +
              " are open; drive the one that leads";
     if (cycle(i).type == model::LoopType::rod)
-      return head + "its rod places one joint, and " + unknown_names(i) +
-             " are open; drive all but one of them";
+      return head + "its rod places one joint, and " + unknown_names(i) + " are open; " +
+             (is_alone(i) ? "drive all but one of them"
+                          : "rods that hold the same joints are solved together if two hold two turns, or "
+                            "three hold three slides at right angles or, in a plane, two slides and a turn; "
+                            "else drive some of these joints in place of motors, or name them in `outputs`");
     if (is_rigid_in_space(cycle(i))) {
       const std::string reason = chain_of(mechanism_, cycle(i), known()).reason;
       return head + (reason.empty()

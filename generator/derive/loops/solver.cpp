@@ -238,17 +238,22 @@ std::string Solver::two_slides(const Cycle& cycle, const Place& s, const Place& 
 }
 
 std::string Solver::three_spheres(const std::vector<const Cycle*>& cycles) {
+  const std::string loops = "loops " + std::to_string(cycles[0]->number) + ", " +
+                            std::to_string(cycles[1]->number) + " and " + std::to_string(cycles[2]->number);
   const std::vector<std::size_t> slides = unknown(*cycles.front());
   std::vector<Place> places;
   std::vector<Vector> axes;
   for (const std::size_t joint : slides) {
-    if (turns(joint)) return "a platform that turns";
     places.push_back(place_of(*cycles.front(), joint));
     axes.push_back(scope_.clean(carrier().lifted_direction(
         *places.back().side, places.back().index, symbolic::to_symbolic(robot_.joints[joint].axis), -1)));
   }
   for (std::size_t i = 0; i < 3; ++i)
-    if (!scope_.is_zero(dot(axes[i], axes[(i + 1) % 3]))) return "slides that are not at right angles";
+    if (!scope_.is_zero(dot(axes[i], axes[(i + 1) % 3])))
+      return loops +
+             " hold slides that are not at right angles: three rods place a platform on three slides at "
+             "right "
+             "angles";
   std::vector<Vector> centre;
   for (const Cycle* cycle : cycles) {
     const Place at = place_of(*cycle, slides.front());
@@ -261,9 +266,7 @@ std::string Solver::three_spheres(const std::vector<const Cycle*>& cycles) {
   const ex k = kept((dot(a, a) + length_square(0) - length_square(1)) / 2);
   const ex l = kept((dot(b, b) + length_square(0) - length_square(2)) / 2);
   const Vector foot = kept(ex(1) / normal_square * (k * cross(b, normal) + l * cross(normal, a)));
-  const std::string rods = "loops " + std::to_string(cycles[0]->number) + ", " +
-                           std::to_string(cycles[1]->number) + " and " + std::to_string(cycles[2]->number) +
-                           ": three spheres meet";
+  const std::string rods = loops + ": three spheres meet";
   const ex height = builder_.root("height_" + std::to_string(cycles[0]->number), length_square(0),
                                   kept(dot(foot, foot)), rods);
   const Vector point = kept(centre[0] + foot + height / GiNaC::sqrt(normal_square) * normal);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "derive/loops/assembly_plan.h"
 #include "matrices/decompositions.h"
 #include "verify/loops/mobility.h"
 
@@ -87,6 +88,20 @@ DrivenChoices driven_choices(const model::Mechanism& mechanism, const std::vecto
   if (result.assembled && result.free > 0 && driven.size() <= result.free)
     Search(std::move(motions), driven, result).run();
   return result;
+}
+
+std::optional<OtherMotor> motor_for_closed_form(const model::Mechanism& mechanism) {
+  const std::vector<std::size_t>& motors = mechanism.loops.actuated;
+  for (const std::size_t motor : motors) {
+    std::vector<std::size_t> others = motors;
+    std::erase(others, motor);
+    for (const std::vector<std::size_t>& choice : driven_choices(mechanism, others).choices) {
+      if (!derive::loops::assembly_plan(mechanism, choice).found) continue;
+      for (const std::size_t joint : choice)
+        if (std::find(motors.begin(), motors.end(), joint) == motors.end()) return OtherMotor{motor, joint};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace qvgen::verify

@@ -4,6 +4,7 @@
 // loops' equations have full rank.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/mechanism.h"
@@ -22,5 +23,14 @@ struct DrivenChoices {
 
 /// `driven`: joints that every choice has.
 DrivenChoices driven_choices(const model::Mechanism& mechanism, const std::vector<std::size_t>& driven = {});
+
+/// A joint that is driven in place of a motor.
+struct OtherMotor {
+  std::size_t motor, joint;
+};
+
+/// Returns a joint that has a closed form of all assemblies if it is driven in place of a motor; nothing if
+/// no joint has.
+std::optional<OtherMotor> motor_for_closed_form(const model::Mechanism& mechanism);
 
 }  // namespace qvgen::verify

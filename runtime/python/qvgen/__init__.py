@@ -17,7 +17,7 @@ from ._paths import Motion, Paths
 from ._tool import report_of
 
 __all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Page", "Paths", "Solutions", "Status",
-           "VelocityStatus", "cache_folder", "calibrate", "derivatives", "identify", "interop", "load", "metrics", "orientation", "robots"]
+           "TipMotion", "VelocityStatus", "cache_folder", "calibrate", "derivatives", "identify", "interop", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -60,6 +60,13 @@ class Followed(typing.NamedTuple):
     """Result of follow; for a batch both fields have the batch's axis in front."""
     q: typing.Any  #: (dof,), rad or m; NaN where the loops do not close
     closed: typing.Any  #: (), whether the loops close
+
+
+class TipMotion(typing.NamedTuple):
+    """Result of driven_tip_motion_of_TIP, in the world; for a batch every field has the batch's axis in front."""
+    pose: typing.Any  #: (7,), quaternion w, x, y, z, then the position in metres
+    jacobian: typing.Any  #: (6, moved), by the base's velocity and the rates of the driven joints, linear rows first
+    bias: typing.Any  #: (6,), acceleration where the base and the driven joints have none
 
 
 class NearSolution(typing.NamedTuple):

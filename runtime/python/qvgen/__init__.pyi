@@ -47,6 +47,11 @@ class Followed(NamedTuple):
     q: NDArray[float64]
     closed: NDArray[bool_]
 
+class TipMotion(NamedTuple):
+    pose: NDArray[float64]
+    jacobian: NDArray[float64]
+    bias: NDArray[float64]
+
 class NearSolution(NamedTuple):
     q: NDArray[float64]
     status: NDArray[int32]

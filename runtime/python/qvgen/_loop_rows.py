@@ -16,6 +16,7 @@ ARGUMENTS = {
     "add": ("driven_count", "accelerations of the driven joints, rad/s^2 or m/s^2"),
     "forces": ("driven_count", "forces of the motors, N m or N"),
     "wrench": ("6", "force and moment on the tip in the world frame, N and N m"),
+    "fall": ("3", "acceleration of free fall in the world frame, m/s^2"),
 }
 # In dynamics of a robot whose base floats these are other rows:
 ON_FLOATING_BASE = {
@@ -24,6 +25,7 @@ ON_FLOATING_BASE = {
     "add": ("moved_count", "accelerations of the base, its velocity's derivatives, then of the driven joints"),
     "forces": ("moved_count", "force and moment on the base, in its own frame, then forces of the motors, N and N m"),
 }
+WRENCH_ON_FLOATING_BASE = ("6", "force and moment on the tip in the base's frame, N and N m")
 # name: arguments, of what it takes constants, shape of a row of the result, a line of text
 FUNCTIONS = {
     "loop_gaps": ("q", "geometry", "gap_count", "Gaps of the loops, m: zero where they are closed."),
@@ -51,6 +53,7 @@ OF_A_TIP = {
 }
 SETS = {"assemble": "a", "assemble_from_outputs": "outputs"}
 ARGUMENTS["pose"] = ("7", "pose of the tip in the world frame: quaternion w, x, y, z, then the position in metres")
+TIP_MOTION, WITH_VECTOR = "driven_tip_motion_of_", "_with_gravity_vector"  # in C, of robots whose base floats
 OF_JOINTS, OF_POSE = "assemble_from_joints_of_", "inverse_kinematics_of_"
 
 HEAD = """#include <qvgen/robots/{robot}/assembly.h>
@@ -88,6 +91,9 @@ FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
 def entry_of_loops(name, floats=False):
     """Returns arguments, constants, shape and text of a function, those of a tip among them; None of any other. `floats`: the
     robot's base does, so that dynamics are of the base, too."""
+    if name.endswith(WITH_VECTOR):
+        arguments, constants, shape, line = entry_of_loops(name[:-len(WITH_VECTOR)], floats)
+        return arguments + " fall", constants.replace(" gravity", ""), shape, line + " Gravity has any direction."
     match = re.fullmatch("(" + "|".join(OF_A_TIP) + r")_(\w+)", name)
     if match is None and name in FUNCTIONS:
         arguments, constants, shape, line = FUNCTIONS[name]
@@ -98,6 +104,7 @@ def entry_of_loops(name, floats=False):
     if match is None:
         return None
     arguments, constants, shape, line = OF_A_TIP[match[1]]
+    line = line.replace("world frame", "base's frame") if floats else line
     return arguments, constants, shape, line.format(match[2])
 
 
@@ -140,6 +147,10 @@ class Loops:
         self.solved_tips = [name[len(OF_POSE):] for name in self.functions if name.startswith(OF_POSE)]
         self.tips = [name[len("pose_of_"):] for name in self.functions if name.startswith("pose_of_")]
         self.base_floats = "driven_velocity_size" in text
+        if self.base_floats:
+            self.functions += [name + WITH_VECTOR for name in self.functions if "gravity" in (entry_of_loops(name) or ("", ""))[1]]
+        if "driven_tip_motion(" in text:
+            self.functions += [TIP_MOTION + tip for tip in self.tips]
 
     def tips_with_parts(self, robot):
         """Limbs of a robot with the parts of them whose functions are called."""
@@ -172,8 +183,13 @@ def _rows_of(name, numbers):
     return FOLLOW.format(given=_read("a", 0)) if name == "follow" else _function(name)
 
 
+def _is_of_the_base(name):
+    """True of functions that take the pose of a base that floats."""
+    return name.startswith(TIP_MOTION) or is_dynamics((entry_of_loops(name) or ("", ""))[1])
+
+
 def loop_rows(robot, loops):
     """C++ that runs functions of closed loops over rows, behind that of the robot's other functions."""
-    names = [name for name in loops.functions if not (loops.base_floats and name in FUNCTIONS and is_dynamics(FUNCTIONS[name][1]))]
+    names = [name for name in loops.functions if not (loops.base_floats and _is_of_the_base(name))]
     head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in names else "")
-    return head + "".join(_rows_of(name, loops.numbers) for name in names)  # C has the dynamics of a floating base
+    return head + "".join(_rows_of(name, loops.numbers) for name in names)  # C has those of a floating base

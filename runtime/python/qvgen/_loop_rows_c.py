@@ -10,7 +10,7 @@
 import math
 import re
 
-from ._loop_rows import entry_of_loops, given_of, is_dynamics, with_base
+from ._loop_rows import TIP_MOTION, entry_of_loops, given_of, is_dynamics, with_base
 from ._tables import sizes
 
 PLAIN = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
@@ -50,14 +50,25 @@ FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
 }}
 """
 
+TIP = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
+  for (ptrdiff_t k = 0; k < c->count; ++k) {{
+    double* pose = result(c, 0, k, 7);
+    {robot}_{name}(row(c, 0, k), row(c, 0, k) + 7, row(c, 1, k), c->geometry, pose, pose + 4, result(c, 1, k, {size}), result(c, 2, k, 6));
+  }}
+  return 0;
+}}
+"""
+
 
 def _plain(robot, name, numbers, floats):
     listed, constants, shape, _ = entry_of_loops(name, floats)
     taken = {"geometry": "c->geometry", "inertia": "c->inertia", "gravity": "c->numbers[0]"}
-    rows = [f"row(c, {place}, k)" for place, _ in enumerate(listed.split())]
+    rows = {each: f"row(c, {place}, k)" for place, each in enumerate(listed.split())}
+    behind = [rows.pop("fall")] if "fall" in rows else []  # where it stands in C
+    values = list(rows.values())
     if floats and is_dynamics(constants):  # the base, and the joints behind it
-        rows.insert(1, "row(c, 0, k) + 7")
-    values = ", ".join([*rows, *(taken[each] for each in constants.split())])
+        values.insert(1, "row(c, 0, k) + 7")
+    values = ", ".join([*values, *(taken[each] for each in constants.split()), *behind])
     if not shape:
         return PLAIN.format(name=name, call=f"*(double*)result(c, 0, k, 1) = {robot}_{name}({values})")
     to = f"result(c, 0, k, {math.prod(sizes(shape, numbers))})"
@@ -76,6 +87,8 @@ def loop_rows_in_c(robot, text, numbers):
             code += SET.format(robot=robot, name=name, dof=numbers["dof"], target=target)
         elif name == "follow":
             code += FOLLOW.format(robot=robot, dof=numbers["dof"])
+        elif name.startswith(TIP_MOTION):
+            code += TIP.format(robot=robot, name=name, size=6 * with_base(numbers)["moved_count"])
         else:
             code += _plain(robot, name, with_base(numbers), floats)
     return code

@@ -9,7 +9,7 @@ import numpy as np
 from ._call import Rows, result
 from ._functions import made
 from ._inverse import solution_arrays
-from ._loop_rows import ARGUMENTS, ON_FLOATING_BASE, argument_of, entry_of_loops, given_of, is_dynamics, with_base
+from ._loop_rows import ARGUMENTS, ON_FLOATING_BASE, TIP_MOTION, WRENCH_ON_FLOATING_BASE, argument_of, entry_of_loops, given_of, is_dynamics, with_base
 from ._tables import sizes
 
 USUAL_TOLERANCE = 1e-13
@@ -36,6 +36,14 @@ geometry: values of constants of the description, by name
 Returns qvgen.Followed: q (dof,), NaN where the loops do not close, and closed (), with a batch axis in front of each if an
 argument has one."""
 
+TIP_DOC = """The tip {tip} in the world, by the base and the driven joints: where it is and how it moves.
+
+q: ({q},) or (n, {q}), {of_q}
+ad: ({ad},) or (n, {ad}), {of_ad}
+geometry: values of constants of the description, by name
+Returns qvgen.TipMotion: pose (7,), jacobian (6, {ad}) and bias (6,), with a batch axis in front of each if an argument has
+one. The tip's velocity is jacobian @ ad, its acceleration jacobian @ add + bias."""
+
 
 def _numbers(robot):
     return with_base({**robot.loops.numbers, "dof": robot.header.numbers["dof"]})
@@ -55,7 +63,8 @@ def _plain(robot, name):
     floats = robot.loops.base_floats
     listed, taken, shape, line = entry_of_loops(name, floats)
     arguments, constants, numbers = listed.split(), taken.split(), _numbers(robot)
-    meanings = ARGUMENTS | (ON_FLOATING_BASE if floats and is_dynamics(constants) else {})
+    on_base = ON_FLOATING_BASE if is_dynamics(constants) else {"wrench": WRENCH_ON_FLOATING_BASE}
+    meanings = ARGUMENTS | (on_base if floats else {})
     rows = [(each, sizes(meanings[each][0], numbers)) for each in arguments]
     row = sizes(shape, numbers)
 
@@ -123,10 +132,35 @@ def _follow(robot):
     return made("follow", ["a", "seed", "*", ("path", False), ("geometry", None)], "a, seed, path, geometry", FOLLOW_DOC, call)
 
 
+def _tip_motion(robot, name):
+    """The function that says where a tip is in the world, and how it moves."""
+    numbers, size = _numbers(robot), _numbers(robot)["moved_count"]
+    rows = {each: sizes(ON_FLOATING_BASE[each][0], numbers) for each in ("q", "ad")}
+
+    def call(q, ad, geometry):
+        from . import TipMotion
+        at = Rows(np.float64)
+        for value, each in ((q, "q"), (ad, "ad")):
+            at.add(value, rows[each], each)
+        at.constants("geometry", robot.geometry, geometry)
+        found = TipMotion(*(np.empty(at.shape(*shape)) for shape in ((7,), (6, size), (6,))))
+        at.run(robot.function(f"rows_{name}", np.float64), *found)
+        return found
+
+    doc = TIP_DOC.format(tip=name[len(TIP_MOTION):], q=rows["q"][0], ad=size, of_q=ON_FLOATING_BASE["q"][1], of_ad=ON_FLOATING_BASE["ad"][1])
+    return made(name, ["q", "ad", "*", ("geometry", None)], "q, ad, geometry", doc, call)
+
+
 def loop_functions(robot):
     """Functions of a robot's closed loops, by their names."""
-    return {name: _set(robot, name) if given_of(name) else _follow(robot) if name == "follow" else _plain(robot, name)
-            for name in robot.loops.functions}
+    def function(name):
+        if given_of(name):
+            return _set(robot, name)
+        if name == "follow":
+            return _follow(robot)
+        return _tip_motion(robot, name) if name.startswith(TIP_MOTION) else _plain(robot, name)
+
+    return {name: function(name) for name in robot.loops.functions}
 
 
 def loop_values(loops):

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "emit/blocks/reached.h"
+#include "emit/builtin_templates.h"
 #include "emit/c/inverse/blocks.h"
 #include "emit/c/single_precision.h"
 #include "emit/cpp/inverse/entries.h"
@@ -243,11 +244,25 @@ Part inverse_kinematics(const model::Robot& robot, const model::Robot& arm, cons
           render("c/solve_head.c", values) + "\n" + wrapped(blocks::reached(source))};
 }
 
+namespace {
+
+/// C that loops share with each other alone.
+std::string blocks_of_loops() {
+  std::string text;
+  for (const auto& [name, block] : builtin_templates())
+    if (name.rfind("c/loops/", 0) == 0) text += block + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string loops(const json& values) {
-  std::string source = render("c/assembly_sizes.c", values) + "\n" + inverse_blocks() + "\n";
+  std::string source =
+      render("c/assembly_sizes.c", values) + "\n" + inverse_blocks() + "\n" + blocks_of_loops();
   for (const char* part : {"equations", "motion", "solve"})
     source += render(fmt::format("c/assembly_{}.c", part), values) + "\n";
   if (values["has_limbs"]) source += render("c/assembly_tips.c", values) + "\n";
+  if (values["has_rods"]) source += render("c/assembly_rods.c", values) + "\n";
   if (values["has_inverse"]) source += render("c/assembly_inverse.c", values) + "\n";
   if (values["has_dynamics"]) source += render("c/assembly_dynamics.c", values);
   return render("c/assembly_head.c", values) + "\n" + in_double_precision(wrapped(blocks::reached(source)));
