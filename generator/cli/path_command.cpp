@@ -68,9 +68,6 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   task.joints = movers.joints;
   task.coupled = movers.coupled;
   task.axes = movers.axes;
-  if (task.proofs && !task.axes.empty())
-    throw std::runtime_error(robot.name +
-                             " has motors that move several joints: --prove is for arms without");
   task.least_times = !arguments.accelerations.empty();
   if (task.least_times) set_rates(arguments, task.joints);
   task.jerks = !arguments.joint_jerks.empty();

@@ -72,6 +72,7 @@ programs::Prepared prepared(const model::Robot& robot, const Task& task,
                                             {"proofs", task.proofs},
                                             {"forces", !task.bearing.empty()},
                                             {"motors", model::has_followers(robot)},
+                                            {"scope", model::has_followers(robot) ? "joints::" : ""},
                                             {"index", index_of_held(model::variables(robot))},
                                             {"joint_index", index_of_held(joints_of(robot))},
                                             {"header", header_of(task)}});

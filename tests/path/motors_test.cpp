@@ -13,6 +13,7 @@
 #include <qvgen/robots/geared_seven.h>
 #include <qvgen/robots/nested_wrist.h>
 #include <qvgen/robots/spline_wrist.h>
+#include <qvgen/robots/spline_wrist/certified.h>
 
 #include "reference/chain.h"
 #include "reference/load.h"
@@ -298,6 +299,53 @@ TEST(MotorPaths, WithAHeldMotorAreWhereTurnsAreInside) {
       robot::inverse_info_given_rail.stable_branches,
       coupling};
   check_arm(truth, arm, rail);
+}
+
+/// Rows of motors are proven where rows of joints are: nearness in joints is nearness in motors by the
+/// largest sums of the relation's entries, which the reference reads.
+TEST(MotorProofs, AreThoseOfTheJoints) {
+  namespace robot = robots::spline_wrist;
+  const Truth truth(QVGEN_PATH_ARMS "/spline_wrist.toml");
+  const double to_motors = truth.motors_by_joints.cwiseAbs().rowwise().sum().maxCoeff();
+  const double to_joints = truth.joints_by_motors.cwiseAbs().rowwise().sum().maxCoeff();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(-2.5, 2.5), lift(0.05, 0.4);
+  int complete = 0, proven = 0;
+  constexpr int poses = 40;
+  for (int k = 0; k < poses; ++k) {
+    Values q;
+    for (double& each : q) each = anywhere(random);
+    q[2] = lift(random);
+    const Values motors = truth.motors_by_joints * q;
+    const Pose<double> pose = robot::forward_kinematics<double>(motors);
+    const auto of_joints = robot::joints::inverse_kinematics_certified(pose);
+    const auto found = robot::inverse_kinematics_certified(pose);
+    ASSERT_EQ(found.solutions.size(), of_joints.solutions.size());
+    EXPECT_EQ(found.is_complete(), of_joints.is_complete());
+    complete += found.is_complete() ? 1 : 0;
+    double nearest = infinity, within = 0;
+    for (int i = 0; i < found.solutions.size(); ++i) {
+      const Values row = truth.joints_by_motors * found.solutions[i].q;
+      EXPECT_LT((row - of_joints.solutions[i].q).norm(), 1e-11);
+      const double off = difference(row, q, robot::joints::is_revolute).cwiseAbs().maxCoeff();
+      const RowProof &motor = found.rows[static_cast<std::size_t>(i)],
+                     &joint = of_joints.rows[static_cast<std::size_t>(i)];
+      if (off < nearest) within = motor.within;
+      nearest = std::min(nearest, off);
+      ASSERT_EQ(motor.proven, joint.proven);
+      if (!motor.proven) continue;
+      ++proven;
+      EXPECT_GE(motor.within, to_motors * joint.within);
+      EXPECT_LT(motor.within, to_motors * joint.within + 1e-9);
+      EXPECT_LE(motor.alone_within, joint.alone_within / to_joints);
+      EXPECT_GT(motor.alone_within, 0.9 * joint.alone_within / to_joints);
+    }
+    if (found.is_complete()) {
+      EXPECT_LT(nearest, within + 1e-9);
+    }
+  }
+  EXPECT_GT(complete, poses - 4);
+  EXPECT_GT(proven, 2 * poses);
 }
 
 /// The Jacobian by joints is that of the pose.
