@@ -13,17 +13,18 @@
 #include "cli/free_items.h"
 #include "cli/origin.h"
 #include "cli/path_forces.h"
+#include "cli/path_joints.h"
 #include "cli/path_numbers.h"
 #include "cli/path_options.h"
 #include "cli/path_report.h"
 #include "cli/progress_line.h"
 #include "cli/suggestion.h"
+#include "model/followers.h"
 #include "path/free.h"
 #include "path/page.h"
 #include "path/result.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
-#include "report/chain.h"
 
 namespace qvgen::cli {
 namespace {
@@ -41,56 +42,10 @@ void check_outputs(const PathArguments& arguments) {
                                    output.string()));
 }
 
-std::vector<path::MovingJoint> joints_of(const report::Chain& chain, bool with_limits) {
-  std::vector<path::MovingJoint> joints;
-  for (const report::ChainJoint& joint : chain.joints)
-    if (!joint.follows)
-      joints.push_back({joint.variable, joint.revolute,
-                        with_limits ? joint.limits.value_or(std::pair(-infinity, infinity))
-                                    : std::pair(-infinity, infinity),
-                        joint.speed.value_or(infinity)});
-  return joints;
-}
-
-path::MovingJoint& joint_called(std::vector<path::MovingJoint>& joints, const std::string& option,
-                                const std::string& name) {
-  std::vector<std::string> names;
-  for (path::MovingJoint& joint : joints) {
-    if (joint.name == name) return joint;
-    names.push_back(joint.name);
-  }
-  check_names(option + ": there is no joint", {name}, names);
-  return joints.front();
-}
-
 /// The way between poses as the program reads it.
 std::string between_of(const PathArguments& arguments) {
   if (arguments.blend > 0) return fmt::format("{:a}", arguments.blend);
   return arguments.spline ? "spline" : arguments.screw ? "screw" : "straight";
-}
-
-void set_limits(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
-  for (const std::string& limit : arguments.limits) {
-    const auto [name, range] = named("--limit", limit);
-    path::MovingJoint& joint = joint_called(joints, "--limit", name);
-    joint.limits = range_of("--limit", range);
-  }
-}
-
-/// All joints of the arm, with the limits that hold.
-std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const model::Robot& robot) {
-  for (const model::Joint& joint : robot.joints)
-    if (joint.follows.size() > 1 || !robot.motors.empty())
-      throw std::runtime_error(robot.name +
-                               " has joints that follow sums of others or motors: paths are "
-                               "followed joint by joint; leave out these relations");
-  const report::Chain chain = report::chain_of(robot);
-  if (!chain.assumed.empty())
-    throw std::runtime_error(chain.assumed.front() +
-                             " has no value: a path is followed in numbers; write one under [defaults]");
-  std::vector<path::MovingJoint> joints = joints_of(chain, !arguments.without_limits);
-  set_limits(arguments, joints);
-  return joints;
 }
 
 void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
@@ -109,7 +64,10 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::Task task;
   task.between = between_of(arguments);
   task.proofs = arguments.prove;
-  task.joints = all_joints(arguments, robot);
+  const Movers movers = movers_of(arguments, robot);
+  task.joints = movers.joints;
+  task.coupled = movers.coupled;
+  task.axes = movers.axes;
   task.least_times = !arguments.accelerations.empty();
   if (task.least_times) set_rates(arguments, task.joints);
   task.jerks = !arguments.joint_jerks.empty();
@@ -123,6 +81,7 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
     joint_called(task.joints, "--hold", name);
     task.held = path::HeldJoint{name, number_of("--hold", value)};
     std::erase_if(task.joints, [&](const path::MovingJoint& joint) { return joint.name == task.held->name; });
+    std::erase(task.axes, task.held->name);
   }
   if (task.joints.size() != 6)
     throw std::runtime_error(
@@ -135,7 +94,11 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
 path::FreeTask free_task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::FreeTask task;
   task.free = free_items(arguments.free, arguments.range);
-  task.joints = all_joints(arguments, robot);
+  if (model::has_followers(robot))
+    throw std::runtime_error(robot.name +
+                             " has joints that follow others or motors: --free is for arms without; without "
+                             "--free its paths are followed");
+  task.joints = movers_of(arguments, robot).joints;
   task.values = arguments.values;
   task.between = between_of(arguments);
   task.preferred = arguments.preferred;

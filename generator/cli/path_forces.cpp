@@ -9,6 +9,7 @@
 
 #include "cli/suggestion.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
 
 namespace qvgen::cli {
 namespace {
@@ -50,7 +51,7 @@ void check_masses(const model::Robot& robot) {
 void set_by_description(const model::Robot& robot, std::vector<path::MovingJoint>& joints) {
   const model::Bindings values = model::default_bindings(robot);
   bool any = false;
-  for (const model::Joint& joint : robot.joints) {
+  for (const model::Joint& joint : model::driven_joints(robot)) {
     const auto moving = std::find_if(joints.begin(), joints.end(),
                                      [&](const auto& each) { return each.name == joint.variable; });
     if (moving == joints.end() || !joint.greatest_effort) continue;

@@ -19,13 +19,14 @@ constexpr std::size_t most_rows = 100;
 std::string place(double s) { return fmt::format("{:.12g}", s); }
 
 std::string joint_name(const path::Task& task, int joint) {
-  return joint < 0 ? "" : task.joints.at(static_cast<std::size_t>(joint)).name;
+  return joint < 0 ? "" : task.limited().at(static_cast<std::size_t>(joint)).name;
 }
 
 /// A joint's value with its unit, degrees or millimetres.
 std::string value_of(const path::Task& task, int joint, double value) {
-  return task.joints.at(static_cast<std::size_t>(joint)).revolute ? fmt::format("{:.2f} deg", value * degrees)
-                                                                  : fmt::format("{:.2f} mm", value * 1e3);
+  return task.limited().at(static_cast<std::size_t>(joint)).revolute
+             ? fmt::format("{:.2f} deg", value * degrees)
+             : fmt::format("{:.2f} mm", value * 1e3);
 }
 
 std::string extreme_of(const path::Task& task, const path::Extreme& extreme, const char* per = "") {

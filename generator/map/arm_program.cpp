@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "emit/render.h"
+#include "model/followers.h"
 #include "programs/program.h"
 #include "toolchain/process.h"
 
@@ -34,10 +35,10 @@ Function function_of(const pipeline::RobotOutput& output) {
 
 void refuse_what_has_no_map(const model::Robot& robot, const Function& function) {
   const std::size_t joints = robot.joints.size();
-  if (joints > 7 || !robot.motors.empty())
+  if (joints > 7 || model::has_followers(robot))
     throw std::runtime_error(
         fmt::format("{}: {}: there is no map of such arms", robot.name,
-                    joints > 7 ? "several joints are given" : "its joints follow motors"));
+                    joints > 7 ? "several joints are given" : "its joints follow others, or motors"));
   if (function.task == "direction" || function.task == "orientation")
     throw std::runtime_error(fmt::format(
         "{}: its inverse kinematics is asked for a {} alone, whose position follows; a map is of positions",

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "path/arm_program.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "emit/render.h"
+#include "model/followers.h"
 #include "path/run.h"
 
 namespace qvgen::path {
@@ -42,20 +44,26 @@ std::string header_of(const Task& task) {
   return header;
 }
 
-int index_of(const model::Robot& robot, const std::string& joint) {
-  int index = 0;
-  for (const auto& each : robot.joints) {
-    if (!each.follows.empty()) continue;
-    if (each.variable == joint) return index;
-    ++index;
-  }
-  throw std::runtime_error(fmt::format("{} has no joint {}", robot.name, joint));
+/// Place of a joint among some names.
+int index_of(const model::Robot& robot, const std::vector<std::string>& names, const std::string& joint) {
+  const auto place = std::find(names.begin(), names.end(), joint);
+  if (place == names.end()) throw std::runtime_error(fmt::format("{} has no joint {}", robot.name, joint));
+  return static_cast<int>(place - names.begin());
+}
+
+std::vector<std::string> joints_of(const model::Robot& robot) {
+  std::vector<std::string> names;
+  for (const model::Joint& joint : robot.joints) names.push_back(joint.variable);
+  return names;
 }
 
 programs::Prepared prepared(const model::Robot& robot, const Task& task,
                             const pipeline::RobotOutput& output) {
   const std::string function = function_of(robot, task, output);
   const std::string suffix = function.substr(std::string(plain).size());
+  const auto index_of_held = [&](const std::vector<std::string>& names) {
+    return task.held ? index_of(robot, names, task.held->name) : 0;
+  };
   const std::string main =
       emit::render("cpp/path_program.cpp", {{"name", robot.name},
                                             {"function", function},
@@ -63,7 +71,10 @@ programs::Prepared prepared(const model::Robot& robot, const Task& task,
                                             {"held", task.held.has_value()},
                                             {"proofs", task.proofs},
                                             {"forces", !task.bearing.empty()},
-                                            {"index", task.held ? index_of(robot, task.held->name) : 0},
+                                            {"motors", model::has_followers(robot)},
+                                            {"scope", model::has_followers(robot) ? "joints::" : ""},
+                                            {"index", index_of_held(model::variables(robot))},
+                                            {"joint_index", index_of_held(joints_of(robot))},
                                             {"header", header_of(task)}});
   return {main, {{"path_program.cpp", {"-ffp-contract=off"}}}, {}, {{"function", function}}};
 }
@@ -85,11 +96,25 @@ programs::Program arm_program(const model::Robot& robot, const Task& task, const
   return programs::program_for(robot, recipe, runtime, progress);
 }
 
+std::vector<MovingJoint> Task::limited() const {
+  std::vector<MovingJoint> all = joints;
+  all.insert(all.end(), coupled.begin(), coupled.end());
+  return all;
+}
+
+std::vector<std::string> Task::turning() const {
+  if (!axes.empty()) return axes;
+  std::vector<std::string> names;
+  for (const MovingJoint& joint : joints) names.push_back(joint.name);
+  return names;
+}
+
 ordered_json follow(const programs::Program& program, const Task& task, const Poses& poses) {
   std::vector<std::string> words{task.between, task.motions.empty() ? "-" : task.motions.string(),
                                  hexadecimal(task.held ? task.held->value : 0)};
-  for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.first));
-  for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.second));
+  const std::vector<MovingJoint> limited = task.limited();
+  for (const MovingJoint& joint : limited) words.push_back(hexadecimal(joint.limits.first));
+  for (const MovingJoint& joint : limited) words.push_back(hexadecimal(joint.limits.second));
   for (const MovingJoint& joint : task.joints)
     if (task.least_times) words.push_back(hexadecimal(joint.speed));
   for (const MovingJoint& joint : task.joints)

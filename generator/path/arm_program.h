@@ -37,13 +37,18 @@ struct MovingJoint {
 /// Joints that follow a path, and the ways between its poses.
 struct Task {
   std::optional<HeldJoint> held;
-  std::vector<MovingJoint> joints;   ///< six
+  std::vector<MovingJoint> joints;   ///< six, or the motors that move them
+  std::vector<MovingJoint> coupled;  ///< joints that motors move and that have limits of their own
+  std::vector<std::string> axes;     ///< names of the six joints that motors move; empty without motors
   std::string between = "straight";  ///< "screw", "spline", or the radius of blends, m
   bool least_times = false;          ///< of each motion
   bool jerks = false;                ///< limit the least times; not beside `bearing`
   std::vector<MovingJoint> bearing;  ///< all joints, if their forces limit the least times; else empty
   bool proofs = false;               ///< of each motion
   std::filesystem::path motions;     ///< CSV to write; empty for none
+
+  [[nodiscard]] std::vector<MovingJoint> limited() const;  ///< all that has limits, in this order
+  [[nodiscard]] std::vector<std::string> turning() const;  ///< names of what is free at a singular pose
 };
 
 /// Returns the program of an arm, from the cache if it is there. Throws std::runtime_error if the arm cannot

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "emit/render.h"
+#include "model/followers.h"
 #include "path/picture.h"
 #include "report/chain.h"
 #include "report/live_section.h"
@@ -37,12 +38,28 @@ json numbers(const std::vector<double>& values) {
   return all;
 }
 
-/// Joint values of the arm, from those that a motion has.
-json joints_of(std::vector<double> q, std::size_t count, const std::optional<std::size_t>& held,
+/// The joints that are drawn, by the joints or motors that a motion has values of.
+struct Drawn {
+  std::size_t driven;                             ///< how many values there are, with the one that is held
+  std::vector<std::vector<model::Share>> joints;  ///< shares of these in each joint
+};
+Drawn drawn_of(const model::Robot& robot, const report::Chain& chain) {
+  Drawn drawn{model::driven_count(robot), {}};
+  const std::vector<std::vector<model::Share>> all = model::shares(robot);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!chain.joints[i].follows) drawn.joints.push_back(all[i]);
+  return drawn;
+}
+
+json joints_of(std::vector<double> q, const Drawn& drawn, const std::optional<std::size_t>& held,
                double value) {
   if (held) q.insert(q.begin() + static_cast<std::ptrdiff_t>(*held), value);
-  q.resize(count);
-  return numbers(q);
+  q.resize(drawn.driven);
+  std::vector<double> joints(drawn.joints.size());
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    for (const model::Share& share : drawn.joints[i])
+      joints[i] += cln::double_approx(share.ratio) * q[share.driven];
+  return numbers(joints);
 }
 
 /// "motion 2: from 0 to 41, boundary of reach"; ends of the path are not named.
@@ -54,11 +71,11 @@ std::string name_of(const Result& result, const Task& task, std::size_t i) {
   return name;
 }
 
-std::optional<std::size_t> index_of(const json& arm, const std::optional<HeldJoint>& held,
+std::optional<std::size_t> index_of(const std::optional<HeldJoint>& held,
                                     const std::vector<std::string>& names) {
   if (!held) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), held->name);
-  return std::min<std::size_t>(static_cast<std::size_t>(found - names.begin()), arm.at("joints").size() - 1);
+  return std::min<std::size_t>(static_cast<std::size_t>(found - names.begin()), names.size() - 1);
 }
 
 /// The way of the arm's base from where it stands, m.
@@ -80,23 +97,16 @@ std::vector<Extras::Rail> rails_of(const FreeTask& task) {
 }
 
 json motion_data(const Result& result, const Task& task, std::size_t i, const Extras& extras,
-                 std::size_t count, const std::optional<std::size_t>& held) {
+                 const Drawn& drawn, const std::optional<std::size_t>& held) {
   const Motion& motion = result.motions[i];
   json data{{"name", name_of(result, task, i)}, {"s", json::array()}, {"q", json::array()}};
   for (const auto& [s, q] : motion.curve) {
     data["s"].push_back(rounded(s));
-    data["q"].push_back(joints_of(q, count, held, extras.held ? extras.held->value : 0));
+    data["q"].push_back(joints_of(q, drawn, held, extras.held ? extras.held->value : 0));
     if (!extras.rails.empty()) data["way"].push_back(way_of_base(q, extras.rails));
   }
   if (!motion.curve_times.empty()) data["t"] = numbers(motion.curve_times);
   return data;
-}
-
-std::vector<std::string> variables_of(const report::Chain& chain) {
-  std::vector<std::string> names;
-  for (const report::ChainJoint& joint : chain.joints)
-    if (!joint.follows) names.push_back(joint.variable);
-  return names;
 }
 
 json data_of(const model::Robot& robot, const Result& result, const Task& task, const Extras& extras) {
@@ -105,10 +115,10 @@ json data_of(const model::Robot& robot, const Result& result, const Task& task, 
             {"end", std::max(1.0, result.end())},
             {"map", {{"left", map_left}, {"width", map_width}, {"top", map_top}}},
             {"motions", json::array()}};
-  const std::vector<std::string> names = variables_of(chain);
-  const auto held = index_of(data["arm"], extras.held, names);
+  const auto held = index_of(extras.held, model::variables(robot));
+  const Drawn drawn = drawn_of(robot, chain);
   for (std::size_t i = 0; i < std::min(result.motions.size(), most_on_page); ++i)
-    data["motions"].push_back(motion_data(result, task, i, extras, names.size(), held));
+    data["motions"].push_back(motion_data(result, task, i, extras, drawn, held));
   return data;
 }
 

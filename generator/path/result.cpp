@@ -63,8 +63,9 @@ Motion motion_of(const ordered_json& json) {
 
 std::string joints_of(unsigned free, const Task& task) {
   std::string names;
-  for (std::size_t i = 0; i < task.joints.size(); ++i)
-    if ((free >> i & 1U) != 0) names += (names.empty() ? "" : ", ") + task.joints[i].name;
+  const std::vector<std::string> turning = task.turning();
+  for (std::size_t i = 0; i < turning.size(); ++i)
+    if ((free >> i & 1U) != 0) names += (names.empty() ? "" : ", ") + turning[i];
   return names;
 }
 
@@ -103,7 +104,7 @@ Result result_of(const ordered_json& json) {
 std::string words_of(const MotionEnd& end, bool is_begin, const Task& task, const Result& result) {
   if (end.cause == "path_end") return is_begin ? "start" : "end";
   if (end.cause == "limit")
-    return fmt::format("{} at its {} limit", task.joints.at(static_cast<std::size_t>(end.partner)).name,
+    return fmt::format("{} at its {} limit", task.limited().at(static_cast<std::size_t>(end.partner)).name,
                        end.upper ? "upper" : "lower");
   if (end.cause == "boundary") return "boundary of reach";
   if (end.cause == "flip")

@@ -9,6 +9,7 @@
 #include "emit/c/single_precision.h"
 #include "emit/render.h"
 #include "emit/template_values.h"
+#include "model/followers.h"
 #include "model/mechanism.h"
 #include "pipeline/c_files.h"
 #include "pipeline/images.h"
@@ -150,9 +151,8 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
                            const nlohmann::ordered_json& counts) {
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
-  if (!extra.of_motors && !robot.motors.empty()) {
-    output.missing.push_back(
-        {extra.part, Missing::Kind::not_derived, "joints follow motors that are no joints themselves"});
+  if (!extra.of_motors && model::has_followers(robot)) {
+    output.missing.push_back({extra.part, Missing::Kind::not_derived, "joints follow others, or motors"});
     return output;
   }
   if (extra.in_c != (language == Language::c))

@@ -291,6 +291,7 @@ TEST_F(Map, SaysWhatItRefuses) {
   refused("stanford" + to, 1, "d3 slides without limits");
   refused("pan_tilt" + to, 1, "a direction alone");
   refused("planar_3r" + to, 1, "whole poses, of which 3 joints reach so few");
+  refused(QVGEN_SOURCE_DIR "/tests/motors/palletiser.toml" + to, 1, "its joints follow others, or motors");
   std::ofstream slides(folder / "slides.toml");
   slides << "name = \"slides\"\ntitle = \"two slides in line\"\n";
   for (const char* name : {"d1", "d2"})

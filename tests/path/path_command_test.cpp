@@ -174,6 +174,39 @@ TEST_F(PathCommand, SplinesAndBlendsAreFollowed) {
 }
 
 /// Compiles a program of its own: with QVGEN_PROOFS.
+/// Motors move the joints: files and limits are in motors, and a joint with limits of its own keeps them.
+TEST_F(PathCommand, MotorsFollowPaths) {
+  write("seam.csv", seam(60));
+  const std::string arm = QVGEN_MOTOR_ARMS "/bevel_arm.toml seam.csv ";
+  const ToolRun result = follow(arm +
+                                "--limit tilt=-40:40deg --joint-speeds 0.4 --time 3 -o motions.csv "
+                                "-o motions.svg -o motions.html");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "tilt at its")) << result.output;
+  std::istringstream csv(read("motions.csv"));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "motion,s,t [s],theta1 [rad],theta2 [rad],m3 [rad],theta4 [rad],ml [rad],mr [rad]");
+  std::vector<double> last;
+  double fastest = 0;
+  while (std::getline(csv, line)) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    ASSERT_EQ(row.size(), 9U);
+    EXPECT_LE(std::abs(0.5 * (row[7] - row[8])), 40 * M_PI / 180 + 1e-9);
+    for (std::size_t i = 3; !last.empty() && last[0] == row[0] && i < 9; ++i)
+      fastest = std::max(fastest, std::abs(row[i] - last[i]) / (row[2] - last[2]));
+    last = row;
+  }
+  EXPECT_LE(fastest, 0.4 + 1e-6);
+  EXPECT_GT(fastest, 0.39);
+  EXPECT_NE(read("motions.html").find("id=\"path-data\""), std::string::npos);
+  const ToolRun free = follow(arm + "--free tool_z"), wrong = follow(arm + "--limit roll=0:1");
+  EXPECT_TRUE(free.code != 0 && has(free, "--free is for arms without")) << free.output;
+  EXPECT_TRUE(wrong.code != 0 && has(wrong, "there is no joint")) << wrong.output;
+}
+
 TEST_F(PathCommand, AFreeCoordinateIsDrawn) {
   if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program";
   write("seam.csv", seam(900));
@@ -210,6 +243,16 @@ TEST_F(PathCommand, AProofIsReported) {
     EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven"))
         << result.output;
   }
+}
+
+/// The proof is of joints, and a path of motors has it.
+TEST_F(PathCommand, MotorsHaveProofs) {
+  if (std::getenv("QVGEN_PROOFS") == nullptr) GTEST_SKIP() << "QVGEN_PROOFS=1 compiles the program of proofs";
+  write("seam.csv", seam(60));
+  const ToolRun result = follow(QVGEN_MOTOR_ARMS "/bevel_arm.toml seam.csv --prove");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
+  EXPECT_TRUE(has(result, "no other motion follows the path, whatever the limits: proven")) << result.output;
 }
 
 TEST_F(PathCommand, BadInputGetsAnAnswer) {

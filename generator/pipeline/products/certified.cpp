@@ -5,6 +5,8 @@
 
 #include "emit/cpp/inverse/bounds_code.h"
 #include "emit/render.h"
+#include "model/followers.h"
+#include "model/merged_joints.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -45,13 +47,18 @@ json variants_of(const model::Robot& robot, const ordered_json& targets) {
 
 }  // namespace
 
-void add_certified(const model::Robot& robot, RobotOutput& output) {
+void add_certified(const model::Robot& described, RobotOutput& output) {
+  const model::Robot robot = model::with_merged_joints(described);
   const ordered_json targets = output.counts.value("targets", ordered_json::object());
   if (const std::string reason = reason_against(robot, targets); !reason.empty()) {
     output.missing.push_back({"certified", Missing::Kind::not_derived, reason});
     return;
   }
+  const bool has_motors = model::has_followers(robot);
   const json values{{"name", robot.name},
+                    {"robot_space", robot.name + (has_motors ? "::joints" : "")},
+                    {"scope", has_motors ? "joints::" : ""},
+                    {"motors", has_motors},
                     {"arm", emit::arm_in_bounds_values(robot)},
                     {"variants", variants_of(robot, targets)}};
   output.files.push_back(

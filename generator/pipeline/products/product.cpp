@@ -56,7 +56,7 @@ const std::vector<Extra>& all_extras() {
   static const std::vector<Extra> extras{
       {"batch", {}, add_batch, true, true},
       {"c_inverse", {"inverse"}, add_c_inverse, false, true},
-      {"certified", {"inverse"}, add_certified},
+      {"certified", {"inverse"}, add_certified, false, true},
       {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
       {"given_joint", {"kinematics", "inverse", "jacobian"}, add_given_joint},
       {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose, false, true},

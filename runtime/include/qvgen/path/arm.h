@@ -26,20 +26,27 @@ using inverse::whole_turn;
 /// Values of the joints that move along the path, rad or m.
 using Values = Joints<6>;
 
-template <class Solve, class Forward, class Jacobian>
+class Uncoupled;  // coupling.h
+
+/// `Coupling` says what has limits: the joints, or motors that move them (coupling.h).
+template <class Solve, class Forward, class Jacobian, class Coupling = Uncoupled>
 struct Arm {
   Solve solve;        ///< pose -> all solutions, qvgen::Solutions<6, capacity>
   Forward forward;    ///< joints -> pose of the tool
   Jacobian jacobian;  ///< joints -> 6 x 6, at the tool, in the world frame, linear rows first
   JointKinds<6> revolute;
   bool stable_branches;  ///< a branch keeps its number along a path without a singularity
+  Coupling coupling = {};
 
+  using Limited = Coupling;
   using Found = decltype(std::declval<const Solve&>()(std::declval<const Pose<double>&>()));
   static constexpr int capacity = Found::max_size;
 };
 
 template <class Solve, class Forward, class Jacobian>
 Arm(Solve, Forward, Jacobian, JointKinds<6>, bool) -> Arm<Solve, Forward, Jacobian>;
+template <class Solve, class Forward, class Jacobian, class Coupling>
+Arm(Solve, Forward, Jacobian, JointKinds<6>, bool, Coupling) -> Arm<Solve, Forward, Jacobian, Coupling>;
 
 /// Difference of two values of each joint: of turns the one in [-pi, pi].
 inline Values difference(const Values& to, const Values& from, const JointKinds<6>& revolute) {

@@ -28,7 +28,7 @@ struct Chain {
   double way = std::numeric_limits<double>::infinity();  ///< sum of the ways
 };
 
-template <int capacity>
+template <int capacity, class Coupling = Uncoupled>
 class Cover {
  public:
   /// `first` and `last` are places for as many whole numbers as there are motions, `best` for as many chains.
@@ -40,8 +40,13 @@ class Cover {
   };
 
   Cover(const Record<capacity>& record, const Motion* motions, std::size_t count, std::size_t samples,
-        const Room& room)
-      : record_(record), motions_(motions), count_(count), samples_(samples), room_(room) {}
+        const Room& room, const Coupling& coupling = {})
+      : record_(record),
+        motions_(motions),
+        count_(count),
+        samples_(samples),
+        room_(room),
+        coupling_(coupling) {}
 
   /// Returns the shortest chain of the fewest motions.
   [[nodiscard]] Chain fewest() {
@@ -115,7 +120,8 @@ class Cover {
     for (auto i = static_cast<std::size_t>(std::ceil(begin)); static_cast<double>(i) <= end; ++i) {
       Values a, b;
       if (!record_.at(i, motions_[from].track, a) || !record_.at(i, motions_[to].track, b)) continue;
-      const double way = (a + motions_[from].turns - b - motions_[to].turns).cwiseAbs().maxCoeff();
+      const Values joints = a + motions_[from].turns - b - motions_[to].turns;
+      const double way = coupling_.shown_way(joints).cwiseAbs().maxCoeff();
       if (chain.way + way < best.way)
         append(chain, best, {static_cast<int>(to), static_cast<double>(i), way}, chain.way + way);
     }
@@ -150,6 +156,7 @@ class Cover {
   const Motion* motions_;
   std::size_t count_, samples_;
   Room room_;
+  Coupling coupling_;
 };
 
 }  // namespace qvgen::path

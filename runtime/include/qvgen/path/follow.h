@@ -27,11 +27,12 @@ class Follower {
  public:
   using Table = Record<Arm::capacity>;
 
-  Follower(const Arm& arm, const Curve& curve, const JointLimits<6>& limits, Table& record,
+  /// `limits`: of the values that have limits (coupling.h), as a rule the joints.
+  Follower(const Arm& arm, const Curve& curve, const JointLimits<Arm::Limited::values>& limits, Table& record,
            const Options& options = {})
       : arm_(arm),
         curve_(curve),
-        limits_(limits, arm.revolute),
+        limits_(limits, arm.revolute, arm.coupling),
         record_(record),
         options_(options),
         live_(arm, limits_, record) {}
@@ -190,7 +191,7 @@ class Follower {
 
   const Arm& arm_;
   Curve curve_;
-  LimitsOnTrack limits_;
+  LimitsOnTrack<typename Arm::Limited> limits_;
   Table& record_;
   Options options_;
   Live<Arm> live_;

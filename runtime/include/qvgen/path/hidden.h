@@ -52,6 +52,8 @@ bool is_calm(const Arm& arm, const Place<Arm>& a, const Place<Arm>& b, const Mat
 
 template <class Arm>
 class Hidden {
+  using Coupling = typename Arm::Limited;
+
  public:
   Hidden(const Arm& arm, const Place<Arm>& a, const Place<Arm>& m, const Place<Arm>& b,
          const Step<Arm>& first, const Step<Arm>& second)
@@ -65,15 +67,19 @@ class Hidden {
     return false;
   }
 
-  /// True if a joint of a row of `a`, on its track at `u`, may touch a limit of its cell that no place shows.
-  [[nodiscard]] bool touch(int row, const Values& u, const Cell& cell) const {
+  /// True if a value of a row of `a`, whose joints on the track are `u`, may touch a limit of its cell that
+  /// no place shows.
+  [[nodiscard]] bool touch(int row, const Values& u,
+                           const typename LimitsOnTrack<Coupling>::Cell& cell) const {
     const int middle = first_.to[static_cast<std::size_t>(row)];
     const int last = middle < 0 ? -1 : second_.to[static_cast<std::size_t>(middle)];
     if (last < 0) return false;
     const Values at_middle = u + difference(m_.found[middle].q, a_.found[row].q, arm_.revolute);
     const Values at_last = at_middle + difference(b_.found[last].q, m_.found[middle].q, arm_.revolute);
-    for (int i = 0; i < 6; ++i)
-      if (touches({u[i], at_middle[i], at_last[i]}, cell.below[i], cell.above[i])) return true;
+    const Joints<Coupling::values> first = arm_.coupling.of(u), second = arm_.coupling.of(at_middle),
+                                   third = arm_.coupling.of(at_last);
+    for (int i = 0; i < Coupling::values; ++i)
+      if (touches({first[i], second[i], third[i]}, cell.below[i], cell.above[i])) return true;
     return false;
   }
 

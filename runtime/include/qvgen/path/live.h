@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 #include <qvgen/path/hidden.h>
+#include <qvgen/path/on_limit.h>
 #include <qvgen/path/record.h>
 
 /// The tracks that are alive at a place of the path, row by row: which track each solution is on, its joints
@@ -17,8 +18,10 @@ class Live {
   static constexpr std::size_t capacity = Place<Arm>::capacity;
   using Table = Record<Arm::capacity>;
 
-  Live(const Arm& arm, const LimitsOnTrack& limits, Table& record)
-      : arm_(arm), limits_(limits), record_(record) {}
+  using Limits = LimitsOnTrack<typename Arm::Limited>;
+  using Cell = typename Limits::Cell;
+
+  Live(const Arm& arm, const Limits& limits, Table& record) : arm_(arm), limits_(limits), record_(record) {}
 
   [[nodiscard]] const Place<Arm>& place() const { return place_; }
   [[nodiscard]] bool is_open() const { return is_open_; }
@@ -43,14 +46,14 @@ class Live {
     is_open_ = false;
   }
 
-  /// True if a joint may touch a limit that no place of two steps shows.
+  /// True if a value may touch a limit that no place of two steps shows.
   [[nodiscard]] bool touches(const Hidden<Arm>& hidden) const {
     for (int i = 0; limits_.some() && i < place_.found.size(); ++i)
       if (hidden.touch(i, rows_[index(i)].u, rows_[index(i)].cell)) return true;
     return false;
   }
 
-  /// Sets the ways of all rows to the next place, and returns true if a joint is nearer to a limit of its
+  /// Sets the ways of all rows to the next place, and returns true if a value is nearer to a limit of its
   /// cell, at either end of a step, than the step is long.
   [[nodiscard]] bool nears_limits(const Place<Arm>& next, const Match<Arm>& match) {
     for (int i = 0; i < place_.found.size(); ++i) {
@@ -58,8 +61,9 @@ class Live {
       const Values& way = ways_[index(i)] =
           difference(next.found[match.to[index(i)]].q, row.u, arm_.revolute);
       if (!limits_.some()) continue;
-      const Values room = (row.cell.above - row.u).cwiseMin(row.u - row.cell.below);
-      if ((room.array() < 2 * way.array().abs()).any()) return true;
+      const auto& u = limits_.coupling().of(row.u);
+      const Joints<Limits::count> room = (row.cell.above - u).cwiseMin(u - row.cell.below);
+      if ((room.array() < 2 * limits_.coupling().ways(way).array().abs()).any()) return true;
     }
     return false;
   }
@@ -193,13 +197,14 @@ class Live {
   template <class Solve>
   void see_limits(Row& row, const Values& u, const Solve& solve, double from, double to,
                   const Equations<Arm>* equations = nullptr) {
-    for (int i = 0; i < 6; ++i) {
-      for (int k = 0; k < 64 && is_beyond(row.cell, i, u[i]); ++k) {
-        const bool rises = u[i] > row.cell.above[i];
+    const auto& last = limits_.coupling().of(u);
+    for (int i = 0; i < Limits::count; ++i) {
+      for (int k = 0; k < 64 && is_beyond(row.cell, i, last[i]); ++k) {
+        const bool rises = last[i] > row.cell.above[i];
         const double value = rises ? row.cell.above[i] : row.cell.below[i];
         Point at{row.u, from};
-        if (equations == nullptr || !settle_on(*equations, row.u, u, i, value, to, at)) {
-          const double place = root(row.u, u, i, value, solve, from, to);
+        if (equations == nullptr || !settle_on(*equations, limits_.coupling(), row.u, u, i, value, to, at)) {
+          const double place = place_on(limits_.coupling(), row.u, u, i, value, solve, from, to);
           at = {solve(place, row.u + (place - from) / (to - from) * (u - row.u)), place};
         }
         note(row, i, value, rises, at.u, at.q);
@@ -212,51 +217,20 @@ class Live {
     return u > cell.above[i] + limit_slack || u < cell.below[i] - limit_slack;
   }
 
-  void note(const Row& row, int joint, double value, bool rises, double place, const Values& q) {
+  void note(const Row& row, int limited, double value, bool rises, double place, const Values& q) {
     for (const bool upper : {false, true}) {
-      if (!limits_.is_on(joint, upper, value)) continue;
+      if (!limits_.is_on(limited, upper, value)) continue;
       Event event;
       event.s = offset_ + place;
       event.track = row.track;
-      event.joint = joint;
+      event.limited = limited;
       event.is_upper = upper;
       event.rises = rises;
       event.value = value;
       event.q = q;
-      event.q[joint] = value;
+      limits_.coupling().put(limited, value, event.q);
       record_.add(event);
     }
-  }
-
-  /// Brings the point, which is at `a`, to where a joint has a value between those of `a` and `b`: all other
-  /// joints and the place are unknown. False if Newton's steps do not lead to a point between them.
-  static bool settle_on(const Equations<Arm>& equations, const Values& a, const Values& b, int joint,
-                        double value, double to, Point& at) {
-    const double share = (value - a[joint]) / (b[joint] - a[joint]), from = at.u;
-    if (!(share > 0 && share < 1)) return false;
-    at = {a + share * (b - a), from + share * (to - from)};
-    at.q[joint] = value;
-    const Values guess = at.q;
-    return equations.settle_across(at, Direction::Unit(joint)) && at.u >= from && at.u <= to &&
-           (at.q - guess).cwiseAbs().maxCoeff() < (b - a).cwiseAbs().maxCoeff();
-  }
-
-  /// Returns the place where a joint has a value that lies between its values at two places; the first one if
-  /// it was there within the slack.
-  template <class Solve>
-  static double root(const Values& a, const Values& b, int joint, double value, const Solve& solve,
-                     double from, double to) {
-    double low = from, high = to, at_low = a[joint] - value, at_high = b[joint] - value;
-    if ((at_low > 0) == (at_high > 0)) return from;
-    for (int i = 0; i < 80 && high - low > 1e-13; ++i) {
-      const double secant = low + (high - low) * at_low / (at_low - at_high);
-      const double place = i % 3 == 2 || !(secant > low && secant < high) ? 0.5 * (low + high) : secant;
-      const Values guess = a + (place - from) / (to - from) * (b - a);
-      const double off = solve(place, guess)[joint] - value;
-      if (off == 0) return place;
-      (off > 0) == (at_low > 0) ? (low = place, at_low = off) : (high = place, at_high = off);
-    }
-    return 0.5 * (low + high);
   }
 
   /// Returns a function that solves for a place between a meeting and another point: joints change as the
@@ -385,7 +359,7 @@ class Live {
   }
 
   const Arm& arm_;
-  const LimitsOnTrack& limits_;
+  const Limits& limits_;
   Table& record_;
   Place<Arm> place_;
   std::array<Row, capacity> rows_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -26,9 +28,9 @@ struct Request {
   std::vector<Pose<double>> samples;
   std::vector<double> times;  ///< empty without
   Between between = Between::straight;
-  double radius = 0;  ///< of a blend, m
-  JointLimits<6> limits;
-  bool is_timed = false;  ///< the least time of each motion is wanted
+  double radius = 0;                 ///< of a blend, m
+  std::vector<double> lower, upper;  ///< limits: of six joints or motors, then of joints that have their own
+  bool is_timed = false;             ///< the least time of each motion is wanted
   RateLimits<6> rates{};
   std::vector<double> forces;     ///< largest ones of all joints, N m or N; empty without
   std::vector<double> jerks;      ///< largest ones, rad/s^3 or m/s^3; empty without
@@ -67,6 +69,7 @@ inline bool read_samples(const char* file, Request& request) {
 template <class Arm, class Bounds, class Dynamics>
 class Found {
  public:
+  using Coupling = typename Arm::Limited;
   static constexpr int capacity = Arm::capacity;
   static constexpr bool has_proofs = !std::is_same_v<Bounds, NoProofs>;
 
@@ -75,6 +78,7 @@ class Found {
       : arm_(arm),
         bounds_(bounds),
         request_(request),
+        limits_(limits_of(arm, request)),
         curve_(curve_of(request)),
         q_(request.samples.size() * capacity * 6),
         track_(request.samples.size() * capacity),
@@ -88,8 +92,9 @@ class Found {
           [&] { open_ = prove_complete(arm_, bounds_, curve_, record_, extra_, [&] { follow(); }); });
     found_ = record_.tracks() - tracks;
     const auto take = [&](const Motion& motion) { motions_.push_back(motion); };
-    MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
-    record_.is_full = !cut.run() || record_.is_full;
+    using Cut = MotionsOf<capacity, decltype(take), Coupling>;
+    const auto cut = std::make_unique<Cut>(record_, limits_, arm_.revolute, take, arm_.coupling);
+    record_.is_full = !cut->run() || record_.is_full;
     for (const Motion& motion : motions_)
       if (request.is_timed) times_.push_back(times_of(motion, dynamics));
   }
@@ -131,6 +136,14 @@ class Found {
  private:
   static constexpr std::size_t most_tracks = 20000, most_events = 200000, most_drawn = 400;
 
+  /// Limits of all values from those that are given.
+  static JointLimits<Coupling::values> limits_of(const Arm& arm, const Request& request) {
+    JointLimits<Coupling::values> limits;
+    std::copy(request.lower.begin(), request.lower.end(), limits.lower.data());
+    std::copy(request.upper.begin(), request.upper.end(), limits.upper.data());
+    return arm.coupling.limits(limits);
+  }
+
   [[nodiscard]] Buffers<capacity> buffers() {
     return {q_.data(), track_.data(), tracks_.data(), tracks_.size(), events_.data(), events_.size()};
   }
@@ -149,7 +162,7 @@ class Found {
     Options options;
     options.extra = extra_.data();
     options.extra_count = extra_.size();
-    Follower<Arm>(arm_, curve_, request_.limits, record_, options).run();
+    Follower<Arm>(arm_, curve_, limits_, record_, options).run();
   }
 
   /// Writes what is not proven to have no other motions, and how many tracks only the proof has met.
@@ -161,15 +174,25 @@ class Found {
     std::printf("],\"found\":%d,\"seconds\":%.6f}", found_, complete_seconds_);
   }
 
-  /// Calls with the places of a motion: its ends and each sample between them, or some of these.
+  /// Calls with the places of a motion: its ends and each sample between them, or some of these. Values are
+  /// those that the caller reads, of joints or of motors.
   template <class Take>
   void for_each_place(const Motion& motion, std::size_t stride, const Take& take) const {
-    take(motion.begin.s, motion.begin.q);
+    const auto show = [&](double s, const Values& q) { take(s, arm_.coupling.shown(q)); };
+    show(motion.begin.s, motion.begin.q);
     for (auto i = static_cast<std::size_t>(motion.begin.s) + 1; static_cast<double>(i) < motion.end.s; ++i) {
       Values q;
-      if (i % stride == 0 && record_.at(i, motion.track, q)) take(static_cast<double>(i), q + motion.turns);
+      if (i % stride == 0 && record_.at(i, motion.track, q)) show(static_cast<double>(i), q + motion.turns);
     }
-    if (motion.end.s > motion.begin.s) take(motion.end.s, motion.end.q);
+    if (motion.end.s > motion.begin.s) show(motion.end.s, motion.end.q);
+  }
+
+  /// An end as the caller reads it.
+  [[nodiscard]] End shown(const End& end) const {
+    End shown = end;
+    shown.q = arm_.coupling.shown(end.q);
+    if (end.cause == Cause::limit) shown.partner = arm_.coupling.shown_index(end.partner);
+    return shown;
   }
 
   /// Calls with the first and the last place, and some between.
@@ -219,12 +242,13 @@ class Found {
 
   void write_motion(const Motion& motion, std::size_t number) const {
     std::printf("{\"track\":%d,\"representatives\":%.17g,\"begin\":%s,\"end\":%s,\"branches\":[%d,%d]",
-                motion.track, motion.representatives, json::text(motion.begin).c_str(),
-                json::text(motion.end).c_str(), tracks_[static_cast<std::size_t>(motion.track)].first_branch,
+                motion.track, motion.representatives, json::text(shown(motion.begin)).c_str(),
+                json::text(shown(motion.end)).c_str(),
+                tracks_[static_cast<std::size_t>(motion.track)].first_branch,
                 tracks_[static_cast<std::size_t>(motion.track)].last_branch);
     write_crossings(motion);
     if constexpr (has_proofs) write_proof(motion);
-    const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
+    const Reviewer<Arm> reviewer(arm_, curve_, limits_, record_,
                                  request_.times.empty() ? nullptr : request_.times.data());
     const Review review = reviewer.review(motion);
     if (request_.is_timed) write_time(times_[number]);
@@ -287,8 +311,8 @@ class Found {
   void write_chain() const {
     std::vector<int> first(motions_.size()), last(motions_.size());
     std::vector<Chain> best(motions_.size()), next(motions_.size());
-    Cover<capacity> cover(record_, motions_.data(), motions_.size(), request_.samples.size(),
-                          {first.data(), last.data(), best.data(), next.data()});
+    Cover<capacity, Coupling> cover(record_, motions_.data(), motions_.size(), request_.samples.size(),
+                                    {first.data(), last.data(), best.data(), next.data()}, arm_.coupling);
     const Chain chain = cover.fewest();
     for (int i = 0; i < chain.count; ++i) {
       const Change& change = chain.changes[static_cast<std::size_t>(i)];
@@ -319,6 +343,7 @@ class Found {
   const Arm& arm_;
   const Bounds& bounds_;
   const Request& request_;
+  JointLimits<Coupling::values> limits_;
   Curve curve_;
   std::vector<double> q_;
   std::vector<int> track_;
@@ -334,33 +359,36 @@ class Found {
 };
 
 /// Arguments: the file of samples, the way between them (`read_between`), the file of motions or "-", the
-/// value of the joint that is held (0 without), six lower and six upper limits, and, for least times, six
-/// speeds, six accelerations, the largest forces of all joints where `dynamics_of` has any, and, if wanted
-/// where it has none, six jerks. `arm_of`
-/// makes the arm from the value that is held, `bounds_of` its bounds for proofs, `dynamics_of` its dynamics.
+/// value of the joint that is held (0 without), lower limits of six joints or motors and of joints that have
+/// limits beside their motors', as many upper ones, and, for least times, six speeds, six accelerations, the
+/// largest forces of all joints where `dynamics_of` has any, and, if wanted where it has none, six jerks.
+/// `arm_of` makes the arm from the value that is held, `bounds_of` its bounds for proofs, `dynamics_of` its
+/// dynamics.
 template <class ArmOf, class BoundsOf, class DynamicsOf>
 int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const BoundsOf& bounds_of,
         const DynamicsOf& dynamics_of) {
   const double held = argc > 4 ? std::strtod(argv[4], nullptr) : 0;
   const auto dynamics = dynamics_of(held);
   constexpr int forces = std::decay_t<decltype(dynamics)>::forces;
-  const bool has_jerks = forces == 0 && argc == 35;
-  if (argc != 17 && argc != 29 + forces && !has_jerks) return 2;
+  const auto arm = arm_of(held);
+  constexpr int limited = std::decay_t<decltype(arm)>::Limited::given, rates = 5 + 2 * limited;
+  const bool has_jerks = forces == 0 && argc == rates + 18;
+  if (argc != rates && argc != rates + 12 + forces && !has_jerks) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
   read_between(argv[2], request);
   if (std::string(argv[3]) != "-") request.motions = argv[3];
-  request.is_timed = argc > 17;
-  for (int i = 0; i < 6; ++i) {
-    request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);
-    request.limits.upper[i] = std::strtod(argv[11 + i], nullptr);
-    if (!request.is_timed) continue;
-    request.rates.speed[i] = std::strtod(argv[17 + i], nullptr);
-    request.rates.acceleration[i] = std::strtod(argv[23 + i], nullptr);
+  request.is_timed = argc > rates;
+  for (int i = 0; i < limited; ++i) {
+    request.lower.push_back(std::strtod(argv[5 + i], nullptr));
+    request.upper.push_back(std::strtod(argv[5 + limited + i], nullptr));
   }
-  for (int i = 29; i < argc; ++i)
+  for (int i = 0; request.is_timed && i < 6; ++i) {
+    request.rates.speed[i] = std::strtod(argv[rates + i], nullptr);
+    request.rates.acceleration[i] = std::strtod(argv[rates + 6 + i], nullptr);
+  }
+  for (int i = rates + 12; i < argc; ++i)
     (has_jerks ? request.jerks : request.forces).push_back(std::strtod(argv[i], nullptr));
-  const auto arm = arm_of(held);
   const auto bounds = bounds_of(held);
   Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(bounds)>, std::decay_t<decltype(dynamics)>> found(
       arm, request, bounds, dynamics);

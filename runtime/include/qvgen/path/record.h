@@ -24,7 +24,7 @@ enum class Cause : std::uint8_t {
 struct End {
   double s = 0;  ///< path coordinate
   Cause cause = Cause::unclear;
-  int partner = -1;       ///< meeting, boundary: the other track; limit: the joint
+  int partner = -1;       ///< meeting, boundary: the other track; limit: the value that is on it
   bool is_upper = false;  ///< limit: which
   unsigned free = 0;      ///< flip: bit i is set if joint i is free
   Values q = Values::Zero();
@@ -44,10 +44,10 @@ struct Event {
   double s = 0;
   int track = -1;
   Kind kind = Kind::limit;
-  int joint = -1;         ///< limit: the joint
+  int limited = -1;       ///< limit: the value that is on it, as a rule a joint's
   bool is_upper = false;  ///< limit: the upper one
-  bool rises = false;     ///< limit: the joint's value rises there
-  double value = 0;       ///< limit: the joint's value on the track
+  bool rises = false;     ///< limit: the value rises there
+  double value = 0;       ///< limit: the value on the track
   Values q = Values::Zero();
   int branch_before = -1;  ///< crossing: the branch's numbers on both sides
   int branch_behind = -1;

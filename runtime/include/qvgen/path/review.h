@@ -10,7 +10,7 @@
 #include <qvgen/path/motions.h>
 
 /// Numbers of a motion at the samples that it passes: how near it comes to limits and to a singular pose, and
-/// how fast its joints move if the samples have times.
+/// how fast its joints, or the motors that move them, go if the samples have times.
 namespace qvgen::path {
 
 /// A number and the path coordinate at which it was found.
@@ -34,10 +34,10 @@ template <class Arm>
 class Reviewer {
  public:
   using Table = Record<Arm::capacity>;
+  using Limits = JointLimits<Arm::Limited::values>;
 
   /// `times`: one a sample, s, rising; or null.
-  Reviewer(const Arm& arm, const Curve& curve, const JointLimits<6>& limits, const Table& record,
-           const double* times)
+  Reviewer(const Arm& arm, const Curve& curve, const Limits& limits, const Table& record, const double* times)
       : arm_(arm), curve_(curve), limits_(limits), record_(record), times_(times) {}
 
   [[nodiscard]] Review review(const Motion& motion) const {
@@ -73,9 +73,11 @@ class Reviewer {
   static bool has_speeds(const End& end) { return end.cause == Cause::path_end || end.cause == Cause::limit; }
 
   void see(double s, const Values& q, bool speeds, Pass& pass, Review& review) const {
-    for (int i = 0; i < 6; ++i) {
-      const double room = std::min(q[i] - limits_.lower[i], limits_.upper[i] - q[i]);
-      if (std::isfinite(room)) lower(review.limit_distance, std::max(0.0, room), s, i);
+    const auto& limited = arm_.coupling.of(q);
+    for (int i = 0; i < Arm::Limited::values; ++i) {
+      const double room = std::min(limited[i] - limits_.lower[i], limits_.upper[i] - limited[i]);
+      const int index = arm_.coupling.shown_index(i);
+      if (std::isfinite(room) && index >= 0) lower(review.limit_distance, std::max(0.0, room), s, index);
     }
     const Eigen::Matrix<double, 6, 6> inverse = arm_.jacobian(q).inverse();
     const double norm = inverse.norm();
@@ -91,7 +93,8 @@ class Reviewer {
     for (const double beside : {s - 1e-9, s + 1e-9}) {
       if (beside < 0 || beside > curve_.end()) continue;
       const std::size_t i = curve_.piece_at(beside);
-      const Values speed = inverse * curve_.piece(i).rate(s - static_cast<double>(i)) / duration(i);
+      const Values rates = inverse * curve_.piece(i).rate(s - static_cast<double>(i)) / duration(i);
+      const Values& speed = arm_.coupling.shown_way(rates);
       for (int k = 0; k < 6; ++k)
         if (std::isfinite(speed[k])) raise(review.speed, std::abs(speed[k]), s, k);
     }
@@ -104,11 +107,13 @@ class Reviewer {
   }
 
   void see_way(double s, const Values& q, Pass& pass, Review& review) const {
-    review.travel += (q - pass.q).cwiseAbs();
+    const Values joints = q - pass.q;
+    const Values& way = arm_.coupling.shown_way(joints);
+    review.travel += way.cwiseAbs();
     const bool is_whole = s - pass.s > 0.5;  // short pieces at the ends say little about accelerations
     if (times_ == nullptr || !is_whole) return;
     const double from = time_at(pass.s), to = time_at(s), middle = 0.5 * (from + to);
-    const Values speed = (q - pass.q) / (to - from);
+    const Values speed = way / (to - from);
     for (int k = 0; pass.has_speed && k < 6; ++k)
       raise(review.acceleration, std::abs(speed[k] - pass.speed[k]) / (middle - pass.middle), pass.s, k);
     pass.speed = speed;
@@ -118,7 +123,7 @@ class Reviewer {
 
   const Arm& arm_;
   Curve curve_;
-  JointLimits<6> limits_;
+  Limits limits_;
   const Table& record_;
   const double* times_;
 };
