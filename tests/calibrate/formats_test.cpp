@@ -2,13 +2,13 @@
 // Files written besides descriptions: the input's URDF, read here by a reader of the tests' own, and rows
 // of Denavit and Hartenberg, multiplied here. Data without noise must give the true arm.
 #include <numbers>
-#include <regex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "calibrate/dh.h"
 #include "calibrate/urdf.h"
+#include "patterns.h"
 #include "simulate.h"
 
 namespace calibrate_test {
@@ -41,9 +41,9 @@ const char* const urdf = R"(<?xml version="1.0"?>
 )";
 
 Vector3d numbers(const std::string& element, const std::string& key, const Vector3d& otherwise) {
-  std::smatch found;
-  if (!std::regex_search(element, found, std::regex(key + "=\"([^\"]*)\""))) return otherwise;
-  std::istringstream stream(found[1]);
+  const auto found = patterns::first(element, key + "=\"([^\"]*)\"");
+  if (!found) return otherwise;
+  std::istringstream stream(found->groups[1]);
   Vector3d result;
   stream >> result[0] >> result[1] >> result[2];
   return result;
@@ -52,17 +52,13 @@ Vector3d numbers(const std::string& element, const std::string& key, const Vecto
 /// Reads the joints of a URDF from base to tip.
 reference::Chain chain_of(const std::string& text, std::string tip) {
   std::vector<std::string> path;
-  const std::regex joint("<joint [^]*?</joint>");
   for (bool more = true; more;) {
     more = false;
-    for (auto each = std::sregex_iterator(text.begin(), text.end(), joint); each != std::sregex_iterator();
-         ++each) {
-      std::smatch parent;
-      const std::string element = each->str();
+    for (const patterns::Match& each : patterns::all(text, "<joint [^]*?</joint>")) {
+      const std::string& element = each.groups[0];
       if (element.find("<child link=\"" + tip + "\"") == std::string::npos) continue;
       path.insert(path.begin(), element);
-      std::regex_search(element, parent, std::regex("<parent link=\"([^\"]*)\""));
-      tip = parent[1];
+      tip = patterns::first(element, "<parent link=\"([^\"]*)\"").value().groups[1];
       more = true;
       break;
     }
@@ -70,11 +66,10 @@ reference::Chain chain_of(const std::string& text, std::string tip) {
   reference::Chain chain;
   Isometry3d before = Isometry3d::Identity();
   for (const std::string& element : path) {
-    std::smatch origin;
     Isometry3d at = Isometry3d::Identity();
-    if (std::regex_search(element, origin, std::regex("<origin[^>]*>"))) {
-      const Vector3d rpy = numbers(origin.str(), "rpy", Vector3d::Zero());
-      at.translation() = numbers(origin.str(), "xyz", Vector3d::Zero());
+    if (const auto origin = patterns::first(element, "<origin[^>]*>")) {
+      const Vector3d rpy = numbers(origin->groups[0], "rpy", Vector3d::Zero());
+      at.translation() = numbers(origin->groups[0], "xyz", Vector3d::Zero());
       at.linear() =
           (Eigen::AngleAxisd(rpy[2], Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy[1], Vector3d::UnitY()) *
            Eigen::AngleAxisd(rpy[0], Vector3d::UnitX()))
@@ -82,12 +77,11 @@ reference::Chain chain_of(const std::string& text, std::string tip) {
     }
     before = before * at;
     if (element.find("type=\"fixed\"") != std::string::npos) continue;
-    std::smatch axis;
-    std::regex_search(element, axis, std::regex("<axis[^>]*>"));
+    const auto axis = patterns::first(element, "<axis[^>]*>");
     reference::Joint moving;
     moving.variable = "q" + std::to_string(chain.joints.size());
     moving.before = before;
-    moving.axis = numbers(axis.str(), "xyz", Vector3d::UnitX()).normalized();
+    moving.axis = numbers(axis ? axis->groups[0] : "", "xyz", Vector3d::UnitX()).normalized();
     chain.joints.push_back(moving);
     before.setIdentity();
   }
@@ -126,8 +120,8 @@ double difference(const Isometry3d& a, const Isometry3d& b) {
 }
 
 std::string without_changes(const std::string& text) {
-  const std::string bare = std::regex_replace(text, std::regex("<(origin|axis)[^>]*>"), "");
-  return std::regex_replace(bare, std::regex("\\n *<!-- (Origins[^>]*)>|[ \\n]+"), "");
+  const std::string bare = patterns::replaced(text, "<(origin|axis)[^>]*>", "");
+  return patterns::replaced(bare, "\\n *<!-- (Origins[^>]*)>|[ \\n]+", "");
 }
 
 TEST(Urdf, TheTrueArmIsWrittenAndAllElseIsKept) {

@@ -104,12 +104,16 @@ TEST(OddFiles, Commas) {
     return result.robot ? texts(result.robot->joints[0].before) : result.diagnostics.at(0).message;
   };
   EXPECT_EQ(place("1,234.5 0 -1,234,567"), "2469/2, 0, -1234567");
+  EXPECT_EQ(place("+1,234.5e-2 12,345,678 -1,000."), "2469/200, 12345678, -1000");
   EXPECT_EQ(place("0.5, 0.25, 1"), "1/2, 1/4, 1");
   EXPECT_EQ(report(origin("0, 0 0")), "2:81: warning: '0,' is read as 0; write it without ','\n");
   // Thousands or a decimal point: nobody can tell.
   EXPECT_EQ(place("1,571 0 0"), "'1,571' is no number");
   EXPECT_EQ(place("0,1 0 0"), "'0,1' is no number");
   EXPECT_EQ(place(", 0 0"), "',' is no number");
+  for (const std::string word :
+       {"0,123.5", "1234,567.5", "1,23,456", "1,234,56", "1,234.5e", "1,234.5,6", "1,234e2"})
+    EXPECT_EQ(place(word + " 0 0"), "'" + word + "' is no number");
 }
 
 TEST(OddFiles, JointsOfOtherFormatsBesideTheChain) {

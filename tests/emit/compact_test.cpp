@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <map>
 #include <random>
-#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "emit/cpp/compact_text.h"
+#include "patterns.h"
 
 namespace {
 
@@ -29,7 +29,7 @@ std::vector<std::string> split(std::string text, char at) {
 
 /// Numbers by the usual name of Scalar.
 std::string with_usual_numbers(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\bN\\("), "Scalar(");
+  return patterns::replaced(text, "\\bN\\(", "Scalar(");
 }
 
 std::string without_spaces(std::string text) {

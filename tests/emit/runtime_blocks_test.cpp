@@ -2,7 +2,6 @@
 // Headers of the C++ runtime read as C: golden texts of what the two languages write differently.
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 #include "emit/blocks/runtime/runtime.h"
 #include "emit/builtin_templates.h"
 #include "emit/c/inverse/blocks.h"
+#include "patterns.h"
 
 namespace qvgen::test {
 namespace {
@@ -353,16 +353,14 @@ TEST(RuntimeBlocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
 
 /// Names of the blocks that kinds of equations call.
 std::set<std::string> blocks_of_kinds() {
-  const std::regex called(R"re("([a-z_]+)",\s+(solve|\[\]\(auto))re");
+  const std::string called = R"re("([a-z_]+)",\s+(solve|\[\]\(auto))re";
   std::set<std::string> names;
   for (const auto& entry :
        std::filesystem::directory_iterator(QVGEN_SOURCE_DIR "/generator/derive/inverse/kinds")) {
     std::ifstream file(entry.path());
     std::stringstream text;
     text << file.rdbuf();
-    const std::string kinds = text.str();
-    for (std::sregex_iterator each(kinds.begin(), kinds.end(), called), end; each != end; ++each)
-      names.insert((*each)[1]);
+    for (const patterns::Match& each : patterns::all(text.str(), called)) names.insert(each.groups[1]);
   }
   return names;
 }
@@ -372,10 +370,10 @@ TEST(RuntimeBlocks, NoTemplateOfCHasAnEquation) {
   const std::set<std::string> names = blocks_of_kinds();
   EXPECT_GT(names.size(), 20U);
   for (const std::string& name : names) {
-    const std::regex definition("static [A-Za-z ]+ " + name + "\\(");
-    EXPECT_TRUE(std::regex_search(emit::c::inverse_blocks(), definition)) << name;
+    const std::string definition = "static [A-Za-z ]+ " + name + "\\(";
+    EXPECT_TRUE(patterns::occurs(emit::c::inverse_blocks(), definition)) << name;
     for (const auto& [file, text] : emit::builtin_templates())
-      EXPECT_FALSE(file.rfind("c/", 0) == 0 && std::regex_search(text, definition))
+      EXPECT_FALSE(file.rfind("c/", 0) == 0 && patterns::occurs(text, definition))
           << name << " is in " << file;
   }
 }

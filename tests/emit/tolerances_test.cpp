@@ -4,21 +4,21 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "emit/c/inverse/blocks.h"
+#include "patterns.h"
 
 namespace qvgen::emit {
 namespace {
 
-const std::regex exponent(R"((^|[^A-Za-z0-9_.])([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+)");
+const std::string exponent = R"((^|[^A-Za-z0-9_.])([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+)";
 
 bool has_number_of_its_own(const std::string& line) {
-  return std::regex_search(line.substr(0, line.find("//")), exponent);
+  return patterns::occurs(line.substr(0, line.find("//")), exponent);
 }
 
 TEST(Tolerances, LinesWithNumbersOfTheirOwnAreTold) {
@@ -44,12 +44,13 @@ TEST(Tolerances, BlocksInCHaveNone) {
 
 TEST(Tolerances, NamesBecomeTheRuntimesNumbers) {
   const std::string& blocks = c::inverse_blocks();
-  EXPECT_FALSE(std::regex_search(blocks, std::regex("tolerance_[a-z]")));
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(blocks, found, std::regex(R"(\.beyond = widened\(digits\(([-0-9e.]+)\), )")));
-  EXPECT_EQ(std::stod(found[1]), inverse::tolerance::end_outside);
-  ASSERT_TRUE(std::regex_search(blocks, found, std::regex(R"(return share \+ ([0-9]+) \* allowed;)")));
-  EXPECT_EQ(std::stod(found[1]), inverse::tolerance::range_per_size);
+  EXPECT_FALSE(patterns::occurs(blocks, "tolerance_[a-z]"));
+  const auto beyond = patterns::first(blocks, R"(\.beyond = widened\(digits\(([-0-9e.]+)\), )");
+  ASSERT_TRUE(beyond);
+  EXPECT_EQ(std::stod(beyond->groups[1]), inverse::tolerance::end_outside);
+  const auto range = patterns::first(blocks, R"(return share \+ ([0-9]+) \* allowed;)");
+  ASSERT_TRUE(range);
+  EXPECT_EQ(std::stod(range->groups[1]), inverse::tolerance::range_per_size);
 }
 
 }  // namespace

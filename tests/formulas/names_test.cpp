@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include "description/reader.h"
 #include "emit/math/describe.h"
 #include "emit/math/transforms.h"
+#include "patterns.h"
 #include "pipeline/products/inverse_derivation.h"
 
 namespace qvgen::test {
@@ -21,8 +21,10 @@ namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
 Names words_of(const std::string& text) {
-  static const std::regex word("[A-Za-z_][A-Za-z0-9_]*");
-  return {std::sregex_token_iterator(text.begin(), text.end(), word), {}};
+  Names words;
+  for (const patterns::Match& word : patterns::all(text, "[A-Za-z_][A-Za-z0-9_]*"))
+    words.insert(word.groups[0]);
+  return words;
 }
 
 Names names_of(const fs::path& description) {
@@ -73,13 +75,13 @@ TEST(Names, WithoutADefinitionAreFound) {
 
 /// "2*0.0868" would be read as one number in print, where no sign of multiplication stands. Lines fit.
 TEST(Transforms, AreReadable) {
-  const std::regex side_by_side("(^|[^A-Za-z0-9_.])[0-9.]+\\*[0-9]");
-  EXPECT_TRUE(std::regex_search("l1 - 2*0.0868*cos(q)", side_by_side));
+  const std::string side_by_side = "(^|[^A-Za-z0-9_.])[0-9.]+\\*[0-9]";
+  EXPECT_TRUE(patterns::occurs("l1 - 2*0.0868*cos(q)", side_by_side));
   for (const auto& entry : fs::directory_iterator(QVGEN_SOURCE_DIR "/generator/robots")) {
     if (entry.path().extension() != ".toml") continue;
     const auto robot = description::read_file(entry.path()).robot.value();
     for (const std::string& line : emit::transform_lines(robot, emit::Notation::text)) {
-      EXPECT_FALSE(std::regex_search(line, side_by_side)) << robot.name << ": " << line;
+      EXPECT_FALSE(patterns::occurs(line, side_by_side)) << robot.name << ": " << line;
       EXPECT_LE(line.size(), 120U) << robot.name << ": " << line;
     }
   }

@@ -2,8 +2,9 @@
 #include "printed.h"
 
 #include <cmath>
-#include <regex>
 #include <stdexcept>
+
+#include "patterns.h"
 
 namespace qvgen::test {
 namespace {
@@ -11,10 +12,6 @@ namespace {
 const reference::Functions functions{{"sin", [](const auto& x) { return std::sin(x.at(0)); }},
                                      {"cos", [](const auto& x) { return std::cos(x.at(0)); }},
                                      {"sqrt", [](const auto& x) { return std::sqrt(x.at(0)); }}};
-
-std::vector<std::string> split(const std::string& text, const std::regex& separator) {
-  return {std::sregex_token_iterator(text.begin(), text.end(), separator, -1), {}};
-}
 
 }  // namespace
 
@@ -27,16 +24,15 @@ Printed::Printed(const std::vector<std::string>& lines, reference::Values known)
 }
 
 void Printed::read(const std::string& line) {
-  static const std::regex equation(R"(([A-Za-z][A-Za-z0-9_]*) =( (.*))?)");
-  std::smatch parts;
   if (line.rfind("  [ ", 0) == 0) return read_row(line);
-  if (!std::regex_match(line, parts, equation)) return;
-  const std::string name = parts[1], value = parts[3];
+  const auto equation = patterns::whole(line, R"(([A-Za-z][A-Za-z0-9_]*) =( (.*))?)");
+  if (!equation) return;
+  const std::string &name = equation->groups[1], &value = equation->groups[3];
   matrix_ = name;
   row_ = 0;
   if (value.empty()) return;
   if (value.front() != '[') return set(name, value);
-  const auto entries = split(value.substr(2, value.size() - 4), std::regex(", "));
+  const auto entries = patterns::split(value.substr(2, value.size() - 4), ", ");
   if (entries.size() != 3) throw std::runtime_error("no vector: " + line);
   for (std::size_t k = 0; k < 3; ++k)
     set(name + (name.find('_') == std::string::npos ? "_" : "") + "xyz"[k], entries[k]);
@@ -44,15 +40,14 @@ void Printed::read(const std::string& line) {
 
 void Printed::read_row(const std::string& line) {
   const std::string inside = line.substr(4, line.find_last_not_of(" ]") - 3);
-  const auto entries = split(inside, std::regex("  +"));
+  const auto entries = patterns::split(inside, "  +");
   ++row_;
   for (std::size_t j = 0; j < entries.size(); ++j)
     set(matrix_ + "_" + std::to_string(row_) + std::to_string(j + 1), entries[j]);
 }
 
 void Printed::set(const std::string& name, const std::string& formula) {
-  static const std::regex prime("'");
-  values_[name] = reference::evaluate(std::regex_replace(formula, prime, "_rate"), values_, functions);
+  values_[name] = reference::evaluate(patterns::replaced(formula, "'", "_rate"), values_, functions);
 }
 
 double Printed::at(const std::string& name) const {

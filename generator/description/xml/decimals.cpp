@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 #include "description/lexer.h"
 #include "description/names.h"
@@ -43,17 +42,47 @@ void report(Context& context, Place place, const std::string& word) {
   context.error(place, "'" + word + "' is no number", "write a decimal number such as 0.1 or 1e-3");
 }
 
+/// Removes the digits at the front and returns how many there were.
+std::size_t skip_digits(std::string_view& text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+/// Removes the first character if it is one of these, and returns true if it was.
+bool skip_one(std::string_view& text, std::string_view of) {
+  if (text.empty() || of.find(text.front()) == std::string_view::npos) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+/// True if commas part thousands: in two places at least, or in front of a decimal point.
+bool has_parted_thousands(std::string_view text) {
+  skip_one(text, "-+");
+  if (text.substr(0, 1) == "0") return false;
+  const std::size_t first = skip_digits(text);
+  std::size_t commas = 0;
+  for (; skip_one(text, ","); ++commas)
+    if (skip_digits(text) != 3) return false;
+  if (first < 1 || first > 3 || commas == 0) return false;
+  if (text.empty()) return commas > 1;
+  if (!skip_one(text, ".")) return false;
+  skip_digits(text);
+  if (text.empty()) return true;
+  if (!skip_one(text, "eE")) return false;
+  skip_one(text, "-+");
+  return skip_digits(text) > 0 && text.empty();
+}
+
 /// Returns a number without its commas where they can only part thousands (1,234.5 or 1,234,567) or numbers
 /// (0.5,). A single comma between digits may be a decimal point as well.
 std::optional<std::string> without_commas(const std::string& word) {
-  static const std::regex thousands(
-      R"([-+]?[1-9]\d{0,2}(,\d{3})+\.\d*([eE][-+]?\d+)?|[-+]?[1-9]\d{0,2}(,\d{3}){2,})");
   constexpr std::size_t longest = 60;
   if (word.size() > longest || word.find(',') == std::string::npos) return std::nullopt;
   std::string bare = word;
   std::erase(bare, ',');
   const bool at_end = word.find(',') == word.size() - 1;
-  return (at_end && !bare.empty()) || std::regex_match(word, thousands) ? std::optional(bare) : std::nullopt;
+  return (at_end && !bare.empty()) || has_parted_thousands(word) ? std::optional(bare) : std::nullopt;
 }
 
 std::optional<Decimal> decimal(Context& context, const std::string& written, Place place) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <map>
-#include <regex>
 
 #include "emit/c/printer.h"
 #include "emit/leaves.h"
@@ -116,8 +116,15 @@ std::vector<std::string> temporaries(const Code& code) {
 }
 
 std::string place(const std::string& target, bool of_vector) {
-  static const std::regex entry(R"(\((\d+), (\d+)\))");
-  return std::regex_replace(target, entry, of_vector ? "[$1]" : "[$1][$2]");
+  std::string text = target;
+  for (std::size_t at = text.find('('); at != std::string::npos; at = text.find('(', at + 1)) {
+    int row = 0, column = 0, length = 0;
+    std::sscanf(text.c_str() + at, "(%d, %d)%n", &row, &column, &length);
+    if (length == 0) continue;  // no entry of a matrix
+    const std::string of_matrix = of_vector ? "" : "[" + std::to_string(column) + "]";
+    text.replace(at, static_cast<std::size_t>(length), "[" + std::to_string(row) + "]" + of_matrix);
+  }
+  return text;
 }
 
 Part written(const model::Robot& robot, const std::vector<Function>& functions) {

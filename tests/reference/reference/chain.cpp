@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/linear_algebra.h"
+
 namespace reference {
 namespace {
 
@@ -133,7 +135,7 @@ MatrixXd jacobian_of(const Chain& chain, const NamedFrame& frame, const VectorXd
       result.block<3, 1>(0, i) = axis;
     }
   }
-  return are_joints(chain, q.size()) ? result : MatrixXd(result * chain.coupling());
+  return are_joints(chain, q.size()) ? result : product(result, chain.coupling());
 }
 
 }  // namespace reference

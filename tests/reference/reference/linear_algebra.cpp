@@ -10,15 +10,20 @@
 #include <Eigen/SVD>
 
 namespace reference {
+namespace {
+
+/// Pivots of rows and columns: of Eigen's preconditioners the one that takes least time to compile, since it
+/// has no blocks.
+using Singular = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::FullPivHouseholderQRPreconditioner>;
+
+}  // namespace
 
 SingularValues singular_values(const Eigen::MatrixXd& m) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Singular parts(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {parts.singularValues(), parts.matrixU(), parts.matrixV()};
 }
 
-Eigen::VectorXd spectrum(const Eigen::MatrixXd& m) {
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(m).singularValues();
-}
+Eigen::VectorXd spectrum(const Eigen::MatrixXd& m) { return Singular(m).singularValues(); }
 
 double smallest_singular_value(const Eigen::MatrixXd& m) { return spectrum(m).minCoeff(); }
 
@@ -27,13 +32,16 @@ Eigen::Index rank(const Eigen::MatrixXd& m, double share) {
   return decomposed.setThreshold(share).rank();
 }
 
-double determinant(const Eigen::MatrixXd& m) { return m.determinant(); }
+double determinant(const Eigen::MatrixXd& m) { return m.fullPivLu().determinant(); }
 
-Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) { return m.inverse(); }
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) {
+  const SingularValues parts = singular_values(m);
+  return product(parts.v * parts.values.cwiseInverse().asDiagonal(), parts.u.transpose());
+}
 
 Eigen::VectorXd pivots(const Eigen::MatrixXd& m) { return m.ldlt().vectorD(); }
 
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a * b; }
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.lazyProduct(b); }
 
 double largest(const Eigen::MatrixXd& m) {
   double result = 0;

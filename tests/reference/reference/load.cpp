@@ -2,8 +2,8 @@
 #include "reference/load.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <regex>
 #include <stdexcept>
 #include <string_view>
 
@@ -107,15 +107,31 @@ class Reader {
   const Values& values_;
 };
 
+/// True for letters, digits and the underscore.
+bool is_in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Returns the names in a sum in their order, without units. The blank between a factor and a name becomes
+/// '*'.
+std::vector<std::string> take_names(std::string& sum) {
+  std::vector<std::string> names;
+  std::size_t end = 0;
+  for (std::size_t at = 0; at < sum.size(); at = std::max(end, at + 1)) {
+    end = static_cast<std::size_t>(
+        std::find_if_not(sum.begin() + static_cast<std::ptrdiff_t>(at), sum.end(), is_in_word) - sum.begin());
+    const std::string word = sum.substr(at, end - at);
+    if (word.empty() || is_digit(word.front()) || word == "deg" || word == "rad") continue;
+    names.push_back(word);
+    if (at > 1 && sum[at - 1] == ' ' && (is_digit(sum[at - 2]) || sum[at - 2] == ')')) sum[at - 1] = '*';
+  }
+  return names;
+}
+
 /// Reads a sum of multiples of names and a constant: the factors by what the sum is where one name has the
 /// value 1 and all others 0. Returns the constant.
 double read_relation(const std::string& text, Joint& joint) {
-  static const std::regex blank("([0-9)]) (?!(deg|rad)([^A-Za-z0-9_]|$))([A-Za-z_])"),
-      name("[A-Za-z_][A-Za-z0-9_]*");
-  const std::string sum = std::regex_replace(text, blank, "$1*$4");
-  std::vector<std::string> names;
-  for (auto word = std::sregex_iterator(sum.begin(), sum.end(), name); word != std::sregex_iterator(); ++word)
-    if (word->str() != "deg" && word->str() != "rad") names.push_back(word->str());
+  std::string sum = text;
+  const std::vector<std::string> names = take_names(sum);
   Values zero;
   for (const std::string& each : names) zero[each] = 0;
   const double constant = evaluate(sum, zero);

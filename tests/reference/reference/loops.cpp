@@ -280,7 +280,7 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
       if (closure.length_joint >= 0) result(row, closure.length_joint) -= 1;
       ++row;
     } else if (closure.line) {
-      result.middleRows(row, 2) = across_line(mechanism, closure, at) * (by - of_line);
+      result.middleRows(row, 2) = product(across_line(mechanism, closure, at), by - of_line);
       row += 2;
     } else {
       result.middleRows(row, 3) = by;
@@ -332,7 +332,7 @@ VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd
   // Loops may hold the same twice: the directions of their gaps in which they hold anything are equations.
   const SingularValues parts = singular_values(jacobian);
   const Eigen::Index rows = (parts.values.array() > 1e-9 * parts.values[0]).count();
-  const MatrixXd equations = parts.u.leftCols(rows).transpose() * jacobian;
+  const MatrixXd equations = product(parts.u.leftCols(rows).transpose(), jacobian);
   MatrixXd whole = MatrixXd::Zero(n + rows, n + rows);
   whole.topLeftCorner(n, n) = mass_matrix(chain, q);
   whole.topRightCorner(n, rows) = equations.transpose();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/inverse/blocks.h"
 
-#include <regex>
 #include <set>
+#include <vector>
 
 #include "emit/blocks/runtime/runtime.h"
 #include "emit/builtin_templates.h"
@@ -29,6 +29,18 @@ void read_c(const std::string& name, const std::string& text, Reader& reader) {
   reader.read_c({name, "inverse", false, in_double_precision(text)});
 }
 
+/// Takes the lines out of a text that include headers of inverse kinematics, and returns the headers' names.
+std::vector<std::string> take_includes(std::string& text) {
+  const std::string opening = "#include <qvgen/inverse/";
+  std::vector<std::string> names;
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    const std::size_t name = at + opening.size(), end = text.find(">\n", name);
+    names.push_back(text.substr(name, end - name));
+    text.erase(at, end + 2 - at);
+  }
+  return names;
+}
+
 /// Adds a header in C, or what C has of its own in the place of it, behind those that it includes.
 void add_header(const std::string& name, std::set<std::string>& known, Reader& reader, std::string& result) {
   if (!known.insert(name).second) return;
@@ -36,16 +48,15 @@ void add_header(const std::string& name, std::set<std::string>& known, Reader& r
   const auto header = builtin_templates().find("runtime/" + name), own = builtin_templates().find(in_place);
   const bool is_read = header != builtin_templates().end();
   if (!is_read && own == builtin_templates().end()) return;
-  static const std::regex include(R"(#include <qvgen/inverse/([a-z_/]+\.h)>\n)");
   const std::string& text = (is_read ? header : own)->second;
-  for (std::sregex_iterator each(text.begin(), text.end(), include), end; each != end; ++each)
-    add_header((*each)[1], known, reader, result);
+  std::string alone = text;
+  for (const std::string& each : take_includes(alone)) add_header(each, known, reader, result);
   if (is_read) {
     result += reader.in_c({name, "inverse", false, text});
     return;
   }
   read_c(in_place, text, reader);
-  result += std::regex_replace(text, include, "") + "\n";
+  result += alone + "\n";
 }
 
 std::string joined() {
