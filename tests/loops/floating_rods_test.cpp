@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Random mechanisms on rods under bases that float: dynamics of the base and the motors, in C. The reference
-// has three slides and three turns in place of the base, and multipliers that hold the loops together: it
-// knows no floating base and no rates of loops.
+// Random mechanisms on rods under bases that float: dynamics of the base and the motors, in C and C++, also
+// where joints follow motors and other joints. The reference has three slides and three turns in place of the
+// base, and multipliers that hold loops and gears together: it knows no floating base and no rates of loops.
 #include <gtest/gtest.h>
 
 #include "base_motion.h"
 #include "compiled_loops.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
+#include "random_gears.h"
 #include "random_rods.h"
 #include "reference/dynamics.h"
 #include "reference/linear_algebra.h"
@@ -186,10 +187,29 @@ void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
                product(rates.transpose(), product(reference::mass_matrix(standing.chain, q), rates)), 1e-11);
 }
 
+/// Closed loops, from Newton's steps. The motors' values are not wrapped, since gears have factors.
+std::vector<VectorXd> closed(const reference::LoopMechanism& mechanism, unsigned seed) {
+  const auto dof = static_cast<Eigen::Index>(mechanism.chain.joints.size());
+  const std::vector<VectorXd> starts = reference::assemblies(mechanism, VectorXd::Zero(dof), {}, 20, seed);
+  if (mechanism.gears.empty()) return starts;
+  std::vector<VectorXd> found;
+  for (const VectorXd& start : starts)
+    for (const VectorXd& q : reference::assemblies(mechanism, start, mechanism.driven, 2, seed))
+      found.push_back(q);
+  return found;
+}
+
+struct Kind {
+  bool has_gears;
+  Language language;
+};
+
 /// Tries the laws at assemblies of a mechanism; returns how many. None is tried of one that is not derived.
-int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
+int try_mechanism(unsigned seed, const Kind& kind, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "m.toml";
-  const Descriptions texts = on_floating_base(RandomRods(seed, file).text(), seed);
+  std::string rods = RandomRods(seed, file).text();
+  if (kind.has_gears) rods = RandomGears(rods, seed).text();
+  const Descriptions texts = on_floating_base(rods, seed);
   SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + texts.floating);
   std::ofstream(file) << texts.floating;
   const auto read = description::read_file(file.string());
@@ -204,11 +224,12 @@ int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
   if (!is_driven || !derive::loops::assembly_plan(mechanism, mechanism.loops.actuated).found) return 0;
   const reference::LoopMechanism joints = reference_of(texts.with_joints, folder);
   const reference::LoopMechanism standing = reference_of(texts.standing, folder);
-  const auto dof = static_cast<Eigen::Index>(standing.chain.joints.size());
-  const Compiled compiled(file, "dynamics,assembly");
-  const Functions functions(compiled, dof, static_cast<Eigen::Index>(standing.driven.size()));
+  EXPECT_EQ(kind.has_gears, !standing.gears.empty());
+  const Compiled compiled(file, "dynamics,assembly", kind.language);
+  const Functions functions(compiled, static_cast<Eigen::Index>(standing.chain.joints.size()),
+                            static_cast<Eigen::Index>(standing.driven.size()));
   int tried = 0;
-  for (const VectorXd& q : reference::assemblies(standing, VectorXd::Zero(dof), {}, 20, seed)) {
+  for (const VectorXd& q : closed(standing, seed)) {
     if (functions.drive_measure(q) < 0.03) continue;
     expect_laws(functions, joints, standing, q, seed + static_cast<unsigned>(tried));
     ++tried;
@@ -216,13 +237,19 @@ int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
   return tried;
 }
 
-TEST(FloatingRods, MoveWithTheirBaseAsMultipliersSay) {
+void try_mechanisms(const Kind& kind, unsigned count) {
   const Folder folder;
   unsigned mechanisms = 0;
-  for (unsigned seed = 1; mechanisms < wanted && seed < 20 * wanted && !HasFailure(); ++seed)
-    mechanisms += try_mechanism(seed, folder.path) > 0 ? 1 : 0;
-  EXPECT_EQ(mechanisms, wanted);
+  for (unsigned seed = 1; mechanisms < count && seed < 20 * count && !testing::Test::HasFailure(); ++seed)
+    mechanisms += try_mechanism(seed, kind, folder.path) > 0 ? 1 : 0;
+  EXPECT_EQ(mechanisms, count);
 }
+
+TEST(FloatingRods, MoveWithTheirBaseAsMultipliersSay) { try_mechanisms({false, Language::c}, wanted); }
+
+TEST(FloatingRods, MoveSoWithGearsAndMotorsToo) { try_mechanisms({true, Language::c}, wanted); }
+
+TEST(FloatingRods, MoveSoInCxxToo) { try_mechanisms({true, Language::cxx}, wanted < 10 ? 1 : wanted / 10); }
 
 }  // namespace
 }  // namespace qvgen::test::loops
