@@ -94,9 +94,11 @@ class Compiled {
     const toolchain::Runtime runtime = toolchain::runtime_of(QVGEN_SOURCE_DIR);
     toolchain::Program program{
         toolchain::cxx_compiler(), toolchain::options_of_all(runtime), {}, {"-shared"}};
+    program.options.insert(program.options.end(), {"-O0", "-fPIC", "-I" + (made / "include").string()});
+#ifndef __clang__
     // Unique symbols would keep a library, and be those of the next one, which has the same names.
-    program.options.insert(program.options.end(),
-                           {"-O0", "-fPIC", "-fno-gnu-unique", "-I" + (made / "include").string()});
+    program.options.emplace_back("-fno-gnu-unique");
+#endif
     std::vector<Path> files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(made / "source")) {
       const std::string name = file.path().filename().string();
