@@ -103,7 +103,8 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
     if (!q)
       throw std::domain_error(
           "no joint values were found at which all loops close; correct lengths or points");
-    if (k < 8 * inputs && is_blurred(numbers, assembly, *q)) continue;
+    const bool blurred = is_blurred(numbers, assembly, *q);
+    if (k < 8 * inputs && blurred) continue;
     Values values = geometry_of(assembly);
     std::vector<std::size_t> sampled_joints = assembly.given;
     for (const derive::loops::LoopChain& chain : assembly.chains)
@@ -124,6 +125,7 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
       ++certificate.assemblies;
       sampled = sampled || difference(assembly.robot, row.q, *q) < sample_accuracy;
     }
+    if (!sampled && blurred && k < 64 * inputs) continue;  // given joints leave it open, as a folded scissor
     if (!sampled) throw CertificateError("closed loops: the sampled assembly is not among those found");
     ++certificate.inputs;
   }

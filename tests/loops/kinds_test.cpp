@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Mechanisms whose loops close in several ways that differ: a scissor whose bars lie on each other moves more
+// than one that stands, and a cylinder has no length below zero though its loop closes there, too.
+#include <gtest/gtest.h>
+
+#include "derive/inverse/lower.h"
+#include "derive/loops/assembly_plan.h"
+#include "description/reader.h"
+#include "verify/loops/certify_loops.h"
+#include "verify/loops/mobility.h"
+
+namespace qvgen::test::loop_kinds {
+namespace {
+
+model::Mechanism mechanism_of(const description::ReadResult& result) {
+  if (!result.robot) throw std::runtime_error(description::to_string(result.diagnostics.front()));
+  return {*result.robot, result.tips, result.loops};
+}
+
+void expect_certificate(const model::Mechanism& mechanism) {
+  const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  ASSERT_TRUE(plan.found);
+  constexpr int inputs = 40;
+  const auto found = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), inputs);
+  EXPECT_EQ(found.inputs, inputs);
+}
+
+TEST(Kinds, AScissorsFootMovesAllBarsAlthoughTheyTurnByThemselvesWhereFeetMeet) {
+  const auto mechanism =
+      mechanism_of(description::read_file(std::string(QVGEN_LOOP_ROBOTS) + "/scissor.toml"));
+  const auto mobility = verify::mobility_of(mechanism);
+  EXPECT_EQ(mobility.free, 1);
+  EXPECT_TRUE(mobility.loose.empty());
+  EXPECT_TRUE(mobility.still.empty());
+  expect_certificate(mechanism);
+}
+
+/// A rack follows a cylinder that a crank stretches.
+TEST(Kinds, ACylinderIsAboveZeroAndSoIsWhatFollowsIt) {
+  const auto mechanism = mechanism_of(description::read_text(R"(
+name = "m"
+title = "m"
+actuated = ["crank"]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "crank"
+[[joint]]
+type = "prismatic"
+axis = "+x"
+variable = "length"
+parent = "base"
+[[joint]]
+type = "prismatic"
+axis = "+y"
+variable = "rack"
+parent = "base"
+follows = "2 length - 0.3"
+[[tip]]
+name = "end"
+[[loop]]
+type = "rod"
+between = ["crank", "base"]
+at = [[0.4, 0, 0], [1, 0.1, 0.2]]
+length = "length"
+)",
+                                                             "m.toml"));
+  const verify::LoopNumbers numbers(mechanism);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto q = numbers.assembled(seed);
+    ASSERT_TRUE(q.has_value());
+    EXPECT_GT((*q)[1], 0);
+    EXPECT_NEAR((*q)[2], 2 * (*q)[1] - 0.3, 1e-10);
+  }
+  expect_certificate(mechanism);
+}
+
+}  // namespace
+}  // namespace qvgen::test::loop_kinds
