@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Mechanisms whose loops close in several ways that differ: a scissor whose bars lie on each other moves more
-// than one that stands, and a cylinder has no length below zero though its loop closes there, too.
+// than one that stands, a third bar leaves one of a parallelogram's two, and a cylinder has no length below
+// zero though its loop closes there, too.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "derive/inverse/lower.h"
@@ -33,6 +35,33 @@ TEST(Kinds, AScissorsFootMovesAllBarsAlthoughTheyTurnByThemselvesWhereFeetMeet) 
   EXPECT_TRUE(mobility.loose.empty());
   EXPECT_TRUE(mobility.still.empty());
   expect_certificate(mechanism);
+}
+
+/// A third bar in a parallelogram is in the way if its pins are two loops, and holds nothing more as a rod.
+TEST(Kinds, AThirdBarOfAParallelogramIsARod) {
+  const std::string joint = "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = ",
+                    on_base = "parent = \"base\"\n";
+  const std::string bars = "name = \"m\"\ntitle = \"m\"\nactuated = [\"a\"]\n" + joint +
+                           "\"a\"\nlink = [0.3, 0, 0]\n" + joint + "\"b\"\n" + joint + "\"c\"\n" + on_base +
+                           "origin = [1, 0, 0]\n";
+  const std::string pin =
+      "[[tip]]\nname = \"end\"\n[[loop]]\ntype = \"pin\"\nbetween = [\"b\", \"c\"]\n"
+      "at = [[1, 0, 0], [0.3, 0, 0]]\n";
+  const auto by_pins = mechanism_of(description::read_text(
+      bars + joint + "\"d\"\n" + on_base + "origin = [0.5, 0, 0]\n" + pin +
+          "[[loop]]\ntype = \"pin\"\nbetween = [\"b\", \"d\"]\nat = [[0.5, 0, 0], [0.3, 0, 0]]\n",
+      "m.toml"));
+  EXPECT_EQ(verify::mobility_of(by_pins).free, 1);
+  const auto plan = derive::loops::assembly_plan(by_pins, by_pins.loops.actuated);
+  ASSERT_FALSE(plan.found);
+  EXPECT_THAT(plan.reasons.front(), testing::HasSubstr("write a link between two pins as a rod"));
+  const auto by_rod =
+      mechanism_of(description::read_text(bars + pin +
+                                              "[[loop]]\ntype = \"rod\"\nbetween = [\"base\", \"b\"]\nat = "
+                                              "[[0.5, 0, 0], [0.5, 0, 0]]\nlength = 0.3\n",
+                                          "m.toml"));
+  EXPECT_EQ(verify::mobility_of(by_rod).redundant, std::vector<std::size_t>{1});
+  expect_certificate(by_rod);
 }
 
 /// A rack follows a cylinder that a crank stretches.
