@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "assembly_laws.h"
+#include "compiled_loops.h"
 #include "derive/inverse/lower.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
@@ -27,14 +29,33 @@ void expect_certificate(const model::Mechanism& mechanism) {
   EXPECT_EQ(found.inputs, inputs);
 }
 
+const std::string scissor = std::string(QVGEN_LOOP_ROBOTS) + "/../platforms/scissor.toml";
+
 TEST(Kinds, AScissorsFootMovesAllBarsAlthoughTheyTurnByThemselvesWhereFeetMeet) {
-  const auto mechanism =
-      mechanism_of(description::read_file(std::string(QVGEN_LOOP_ROBOTS) + "/scissor.toml"));
+  const auto mechanism = mechanism_of(description::read_file(scissor));
   const auto mobility = verify::mobility_of(mechanism);
   EXPECT_EQ(mobility.free, 1);
   EXPECT_TRUE(mobility.loose.empty());
   EXPECT_TRUE(mobility.still.empty());
   expect_certificate(mechanism);
+}
+
+/// Both stages open upwards or downwards.
+TEST(Kinds, AScissorThatStandsHasFourAssemblies) {
+  const loops::Folder folder;
+  const std::filesystem::path file = folder.path / "scissor.toml";
+  std::filesystem::copy(scissor, file);
+  const reference::LoopMechanism of = reference::load_loops(file);
+  const loops::Compiled compiled(file, "dynamics,assembly");
+  for (double foot = -0.95; foot < 1; foot += 0.2) {
+    const Eigen::VectorXd given = Eigen::VectorXd::Constant(1, foot);
+    const loops::Set set = compiled.solve("scissor_assemble", given, 5);
+    loops::expect_closed(of, set);
+    EXPECT_EQ(set.rows.size(), 4U) << foot;
+    const Eigen::VectorXd q = loops::with_values(of, of.driven, given);
+    for (const Eigen::VectorXd& other : reference::assemblies(of, q, of.driven, 60, 1))
+      EXPECT_TRUE(loops::has(of, set, other, 1e-6)) << other.transpose();
+  }
 }
 
 /// A third bar in a parallelogram is in the way if its pins are two loops, and holds nothing more as a rod.
