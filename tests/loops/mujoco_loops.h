@@ -19,7 +19,8 @@ class MujocoLoops {
   /// All closures are pins, balls or rods; gravity is 9.81 m/s^2 along -z.
   explicit MujocoLoops(const reference::LoopMechanism& mechanism, Base base = Base::stands);
 
-  /// Computes the accelerations of all joints at rest under forces of all joints.
+  /// Computes the accelerations of all joints at rest under forces of all joints. Constraints are as stiff as
+  /// can be, so joints without mass are off.
   Eigen::VectorXd forward(const Eigen::VectorXd& q, const Eigen::VectorXd& forces);
 
   /// Computes the accelerations of a base that floats and of all joints with exact constraints: MuJoCo's mass
