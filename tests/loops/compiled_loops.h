@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mechanisms that a test describes: generated as C, compiled and loaded.
+// Mechanisms that a test describes: generated as C, or as C++ behind a header for C, compiled and loaded.
+// Both have functions of the same names and arguments.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +11,7 @@
 #include <dlfcn.h>
 
 #include "mechanism_under_test.h"
-#include "toolchain/process.h"
+#include "toolchain/generated.h"
 
 namespace qvgen::test::loops {
 
@@ -27,18 +28,16 @@ class Folder {
   std::filesystem::path path;
 };
 
-/// The functions of a description in C, compiled.
+enum class Language { c, cxx };
+
+/// The functions of a description, compiled.
 class Compiled {
  public:
-  Compiled(const std::filesystem::path& description, const std::string& parts) {
+  Compiled(const std::filesystem::path& description, const std::string& parts,
+           Language language = Language::c) {
     const std::filesystem::path made = description.parent_path() / "made", library = made / "loops.so";
-    run({QVGEN_TOOL, "generate", description.string(), "--quiet", "--language", "c", "--only", parts,
-         "--require", "assembly", "--output", made.string()});
-    std::vector<std::string> words{QVGEN_CC, "-shared", "-fPIC", "-ffp-contract=off", "-o", library.string()};
-    for (const auto& file : std::filesystem::directory_iterator(made / "c"))
-      if (file.path().extension() == ".c") words.push_back(file.path().string());
-    words.emplace_back("-lm");
-    run(words);
+    language == Language::c ? compile_c(description, parts, made, library)
+                            : compile_cxx(description, parts, made, library);
     library_ = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) throw std::runtime_error(::dlerror());
     std::filesystem::remove_all(made);
@@ -75,6 +74,43 @@ class Compiled {
   }
 
  private:
+  using Path = std::filesystem::path;
+
+  static void compile_c(const Path& description, const std::string& parts, const Path& made,
+                        const Path& library) {
+    run({QVGEN_TOOL, "generate", description.string(), "--quiet", "--language", "c", "--only", parts,
+         "--require", "assembly", "--output", made.string()});
+    std::vector<std::string> words{QVGEN_CC, "-shared", "-fPIC", "-ffp-contract=off", "-o", library.string()};
+    for (const auto& file : std::filesystem::directory_iterator(made / "c"))
+      if (file.path().extension() == ".c") words.push_back(file.path().string());
+    words.emplace_back("-lm");
+    run(words);
+  }
+  /// Compiles what the header for C calls, and nothing else that the parts bring.
+  static void compile_cxx(const Path& description, const std::string& parts, const Path& made,
+                          const Path& library) {
+    run({QVGEN_TOOL, "generate", description.string(), "--quiet", "--only",
+         parts + ",kinematics,jacobian,c_assembly", "--require", "assembly", "--output", made.string()});
+    const toolchain::Runtime runtime = toolchain::runtime_of(QVGEN_SOURCE_DIR);
+    toolchain::Program program{
+        toolchain::cxx_compiler(), toolchain::options_of_all(runtime), {}, {"-shared"}};
+    program.options.insert(program.options.end(), {"-O0", "-fPIC", "-I" + (made / "include").string()});
+#ifndef __clang__
+    // Unique symbols would keep a library, and be those of the next one, which has the same names.
+    program.options.emplace_back("-fno-gnu-unique");
+#endif
+    std::vector<Path> files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(made / "source")) {
+      const std::string name = file.path().filename().string();
+      for (const char* needed :
+           {"assembly.cpp", "c_assembly.cpp", "dynamics.cpp", "jacobian.cpp", "kinematics.cpp"})
+        if (name == needed) files.push_back(file.path());
+    }
+    for (const Path& file : files) program.sources.push_back(toolchain::generated_source(file));
+    toolchain::add_runtime(runtime, files, program);
+    const toolchain::Outcome outcome = toolchain::build(program, library);
+    if (!outcome.done) throw std::runtime_error(outcome.said);
+  }
   static void run(const std::vector<std::string>& words) {
     const toolchain::Outcome outcome = toolchain::run(words);
     if (!outcome.done) throw std::runtime_error(outcome.said);

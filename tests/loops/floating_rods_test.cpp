@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Random mechanisms on rods under bases that float: tips, and dynamics of the base and the motors, in C. The
-// reference has three slides and three turns in place of the base, and multipliers that hold the loops
-// together: it knows no floating base and no rates of loops.
+// Random mechanisms on rods under bases that float: tips, in C, and dynamics of the base and the motors, in C
+// and C++, also where joints follow motors and other joints. The reference has three slides and three turns in
+// place of the base, and multipliers that hold loops and gears together: it knows no floating base and no rates
+// of loops. MuJoCo has a free joint in place of the base, and its own constraints.
 #include <gtest/gtest.h>
 
 #include "base_motion.h"
 #include "compiled_loops.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
+#include "floating/six_joints.h"
+#include "mujoco_loops.h"
+#include "random_gears.h"
 #include "random_rods.h"
 #include "reference/dynamics.h"
 #include "reference/linear_algebra.h"
@@ -254,6 +258,13 @@ void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
   expect_close(found.head<6>(), base.acceleration + by_rates * (expected.head<6>() - base.qdd), 2e-6 * scale);
   for (Eigen::Index i = 0; i < driven; ++i)
     EXPECT_NEAR(found[6 + i], expected[6 + standing.driven[static_cast<std::size_t>(i)]], 2e-6 * scale);
+  // So do MuJoCo's matrices and multipliers.
+  const VectorXd on_joints = joined(wrench, forces.tail(q.size()));
+  const VectorXd of_mujoco =
+      MujocoLoops(joints, Base::floats).forward(pose, q, joined(base.velocity, all_rates), on_joints);
+  expect_close(found.head<6>(), of_mujoco.head<6>(), 2e-6 * scale);
+  for (Eigen::Index i = 0; i < driven; ++i)
+    EXPECT_NEAR(found[6 + i], of_mujoco[6 + standing.driven[static_cast<std::size_t>(i)]], 2e-6 * scale);
   const VectorXd again = m.forces(pose, q, velocity, found);
   expect_close(again, joined(wrench, motors), 1e-10 * (1 + reference::largest(masses * found)));
   // Which forces these are is tried in tests/floating and tests/python.
@@ -270,10 +281,27 @@ void expect_laws(const Functions& m, const reference::LoopMechanism& joints,
                product(rates.transpose(), product(reference::mass_matrix(standing.chain, q), rates)), 1e-11);
 }
 
+/// Closed loops, from Newton's steps. The motors' values are not wrapped, since gears have factors.
+std::vector<VectorXd> closed(const reference::LoopMechanism& mechanism, unsigned seed) {
+  const auto dof = static_cast<Eigen::Index>(mechanism.chain.joints.size());
+  const std::vector<VectorXd> starts = reference::assemblies(mechanism, VectorXd::Zero(dof), {}, 20, seed);
+  if (mechanism.gears.empty()) return starts;
+  std::vector<VectorXd> found;
+  for (const VectorXd& start : starts)
+    for (const VectorXd& q : reference::assemblies(mechanism, start, mechanism.driven, 2, seed))
+      found.push_back(q);
+  return found;
+}
+
+struct Kind {
+  bool has_gears;
+  Language language;
+};
+
 /// Tries the laws at assemblies of a mechanism; returns how many. None is tried of one that is not derived.
-int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
+int try_mechanism(const Descriptions& texts, Language language, unsigned seed,
+                  const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "m.toml";
-  const Descriptions texts = on_floating_base(RandomRods(seed, file).text(), seed);
   SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + texts.floating);
   std::ofstream(file) << texts.floating;
   const auto read = description::read_file(file.string());
@@ -288,11 +316,13 @@ int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
   if (!is_driven || !derive::loops::assembly_plan(mechanism, mechanism.loops.actuated).found) return 0;
   const reference::LoopMechanism joints = reference_of(texts.with_joints, folder);
   const reference::LoopMechanism standing = reference_of(texts.standing, folder);
-  const auto dof = static_cast<Eigen::Index>(standing.chain.joints.size());
-  const Compiled compiled(file, "dynamics,assembly");
-  const Functions functions(compiled, dof, static_cast<Eigen::Index>(standing.driven.size()));
+  const std::vector<VectorXd> places = closed(standing, seed);
+  if (places.empty()) return 0;
+  const Compiled compiled(file, "dynamics,assembly", language);
+  const Functions functions(compiled, static_cast<Eigen::Index>(standing.chain.joints.size()),
+                            static_cast<Eigen::Index>(standing.driven.size()));
   int tried = 0;
-  for (const VectorXd& q : reference::assemblies(standing, VectorXd::Zero(dof), {}, 20, seed)) {
+  for (const VectorXd& q : places) {
     if (functions.drive_measure(q) < 0.03) continue;
     expect_laws(functions, joints, standing, q, seed + static_cast<unsigned>(tried));
     ++tried;
@@ -300,12 +330,42 @@ int try_mechanism(unsigned seed, const std::filesystem::path& folder) {
   return tried;
 }
 
-TEST(FloatingRods, MoveWithTheirBaseAsMultipliersSay) {
+Descriptions random_mechanism(unsigned seed, bool has_gears, const std::filesystem::path& folder) {
+  const std::string rods = RandomRods(seed, folder / "m.toml").text();
+  return on_floating_base(has_gears ? RandomGears(rods, seed).text() : rods, seed);
+}
+
+void try_mechanisms(const Kind& kind, unsigned count) {
   const Folder folder;
   unsigned mechanisms = 0;
-  for (unsigned seed = 1; mechanisms < wanted && seed < 20 * wanted && !HasFailure(); ++seed)
-    mechanisms += try_mechanism(seed, folder.path) > 0 ? 1 : 0;
-  EXPECT_EQ(mechanisms, wanted);
+  for (unsigned seed = 1; mechanisms < count && seed < 20 * count && !testing::Test::HasFailure(); ++seed)
+    mechanisms += try_mechanism(random_mechanism(seed, kind.has_gears, folder.path), kind.language, seed,
+                                folder.path) > 0
+                      ? 1
+                      : 0;
+  EXPECT_EQ(mechanisms, count);
+}
+
+TEST(FloatingRods, MoveWithTheirBaseAsMultipliersSay) { try_mechanisms({false, Language::c}, wanted); }
+
+TEST(FloatingRods, MoveSoWithGearsAndMotorsToo) { try_mechanisms({true, Language::c}, wanted); }
+
+TEST(FloatingRods, MoveSoInCxxToo) {
+  if (wanted < 10) GTEST_SKIP() << "in long runs alone, since C++ takes a minute to compile";
+  try_mechanisms({true, Language::cxx}, wanted / 10);
+}
+
+/// Robots of tests/floating, whose loops are ankles and necks.
+TEST(FloatingRods, AreStridersAndWalkersToo) {
+  const Folder folder;
+  std::vector<std::string> robots{"strider"};
+  if (wanted > 1) robots.emplace_back("walker");
+  for (const std::string& robot : robots) {
+    const std::string text = floating::text_of(QVGEN_SOURCE_DIR "/tests/floating/" + robot + ".toml");
+    const std::string named = replaced(text, "name = \"" + robot + '"', "name = \"m\"");
+    const Descriptions texts{named, floating::with_six_joints(named), named};
+    EXPECT_GT(try_mechanism(texts, Language::c, 1, folder.path), 0);
+  }
 }
 
 }  // namespace

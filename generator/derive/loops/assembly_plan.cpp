@@ -316,7 +316,8 @@ class Search {
     const std::string equations = rows_of(cycle(i)) == 2 ? "two" : "three";
     if (count < rows_of(cycle(i)))
       return head + "it has " + equations + " equations, and only " + unknown_names(i) +
-             " is open; drive fewer joints of it, or leave the loop out";
+             " is open; drive fewer joints of it, write a link between two pins as a rod, or leave the loop "
+             "out";
     return head + "its " + (cycle(i).directions.empty() ? "point" : "links") + " place" +
            (cycle(i).directions.empty() ? "s " : " ") + equations + " joints, and " + unknown_names(i) +
            " are open; drive all but " + equations + " of them, or close the loops that hold them one by one";

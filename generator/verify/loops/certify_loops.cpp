@@ -66,14 +66,28 @@ double difference(const model::Robot& robot, const std::vector<Real>& row, const
   return worst;
 }
 
-/// True if given joints hardly hold the others: next to a dead centre, to which Newton's steps are drawn
-/// where a rod is out of reach, samples in double have half of their digits.
-bool is_blurred(const LoopNumbers& numbers, const AssemblyPlan& assembly, const Eigen::VectorXd& q) {
-  constexpr double share = 1e-5;
+/// Derivatives of the equations that the plan solves, by the joints that it solves for.
+Eigen::MatrixXd solved_part(const LoopNumbers& numbers, const AssemblyPlan& assembly,
+                            const Eigen::VectorXd& q) {
   const Eigen::MatrixXd jacobian = numbers.jacobian(q);
   Eigen::MatrixXd by(jacobian.rows(), static_cast<Eigen::Index>(assembly.passive.size()));
   for (std::size_t i = 0; i < assembly.passive.size(); ++i)
     by.col(static_cast<Eigen::Index>(i)) = jacobian.col(static_cast<Eigen::Index>(assembly.passive[i]));
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < assembly.cycles.size(); ++i) {
+    const auto rows = static_cast<Eigen::Index>(derive::loops::rows_of(assembly.cycles[i]));
+    if (std::find(assembly.redundant.begin(), assembly.redundant.end(), i) != assembly.redundant.end())
+      by.middleRows(row, rows).setZero();
+    row += rows;
+  }
+  return by;
+}
+
+/// True if given joints hardly hold the others: next to a dead centre, to which Newton's steps are drawn
+/// where a rod is out of reach, samples in double have half of their digits.
+bool is_blurred(const LoopNumbers& numbers, const AssemblyPlan& assembly, const Eigen::VectorXd& q) {
+  constexpr double share = 1e-5;
+  const Eigen::MatrixXd by = solved_part(numbers, assembly, q);
   if (by.size() == 0) return false;
   const Eigen::VectorXd values = matrices::singular_values(by);
   return values.minCoeff() < share * values[0];
@@ -103,7 +117,8 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
     if (!q)
       throw std::domain_error(
           "no joint values were found at which all loops close; correct lengths or points");
-    if (k < 8 * inputs && is_blurred(numbers, assembly, *q)) continue;
+    const bool blurred = is_blurred(numbers, assembly, *q);
+    if (k < 8 * inputs && blurred) continue;
     Values values = geometry_of(assembly);
     std::vector<std::size_t> sampled_joints = assembly.given;
     for (const derive::loops::LoopChain& chain : assembly.chains)
@@ -124,6 +139,7 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
       ++certificate.assemblies;
       sampled = sampled || difference(assembly.robot, row.q, *q) < sample_accuracy;
     }
+    if (!sampled && blurred && k < 64 * inputs) continue;  // given joints leave it open, as a folded scissor
     if (!sampled) throw CertificateError("closed loops: the sampled assembly is not among those found");
     ++certificate.inputs;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "dag/evaluate.h"
 #include "derive/inverse/lower.h"
@@ -202,7 +203,13 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
   for (int step = 0; step < most_steps; ++step) {
     VectorXd off = gaps(q);
     if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
-    if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return with_lengths_above_zero(q);
+    if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) {
+      // Gears of a cylinder see the sign of its length: then steps go on from there.
+      const VectorXd above = with_lengths_above_zero(q);
+      if (gaps(above).cwiseAbs().maxCoeff() < 1e-13 * size_) return above;
+      q = above;
+      continue;
+    }
     MatrixXd by = jacobian(q);
     // The gap of a short rod grows with the square of its ends' distance: it shall not outweigh all others.
     for (Eigen::Index row = 0; row < off.size(); ++row) {
@@ -220,7 +227,8 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
     if (longest > 0.5) way *= 0.5 / longest;
     q -= way;
   }
-  if (gaps(q).cwiseAbs().maxCoeff() < 1e-11 * size_) return with_lengths_above_zero(q);
+  q = with_lengths_above_zero(q);
+  if (gaps(q).cwiseAbs().maxCoeff() < 1e-11 * size_) return q;
   return std::nullopt;
 }
 
@@ -257,6 +265,8 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
   result.gruebler = result.joints - static_cast<int>(mechanism.loops.gears.size());
   for (const model::Loop& loop : mechanism.loops.closures) result.gruebler -= equations_in_space(loop.type);
   result.in_planes = result.joints - static_cast<int>(numbers.loop_of_row().size());
+  const std::vector<std::size_t>& driven = mechanism.loops.actuated;
+  bool is_fitting = false;
   for (unsigned sample = 0; sample < samples; ++sample) {
     const auto q = numbers.assembled(sample + 1);
     if (!q) break;
@@ -264,10 +274,14 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
     const int free = result.joints - rank_of(jacobian);
     const auto redundant = redundant_in(jacobian, numbers.loop_of_row());
     const auto still = still_in(jacobian);
-    const auto loose = loose_in(jacobian, mechanism.loops.actuated);
-    // Assemblies may be of several kinds, some of which do not move: those that move most count.
-    if (result.assembled && free < result.free) continue;
-    const bool is_first = !result.assembled || free > result.free;
+    const auto loose = loose_in(jacobian, driven);
+    // Assemblies may be of several kinds: some do not move, and a scissor's bars may lie on each other. Those
+    // that the driven joints determine count before others, then those that move most.
+    const bool fits = !driven.empty() && free == static_cast<int>(driven.size()) && loose.empty();
+    const auto kind = std::pair(fits, free), counted = std::pair(is_fitting, result.free);
+    if (result.assembled && kind < counted) continue;
+    const bool is_first = !result.assembled || kind > counted;
+    is_fitting = fits;
     result.free = free;
     result.redundant = is_first ? redundant : in_both(result.redundant, redundant);
     result.still = is_first ? still : in_both(result.still, still);

@@ -64,6 +64,8 @@ struct Mobility {
   std::vector<std::size_t> loose;      ///< joints that move although the driven ones stand still
 };
 
+/// Counts freedoms at random assemblies. If these are of several kinds with different numbers of freedoms, it
+/// counts those that the driven joints determine, else those that move most.
 Mobility mobility_of(const model::Mechanism& mechanism);
 
 /// In words: how many freedoms, which loops are redundant, which joints never move, what is wrong with the
