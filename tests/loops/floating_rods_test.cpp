@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random mechanisms on rods under bases that float: tips, in C, and dynamics of the base and the motors, in C
-// and C++, also where joints follow motors and other joints. The reference has three slides and three turns in
-// place of the base, and multipliers that hold loops and gears together: it knows no floating base and no rates
-// of loops. MuJoCo has a free joint in place of the base, and its own constraints.
+// and C++, also where joints follow motors and other joints. The reference has three slides and three turns
+// in place of the base, and multipliers that hold loops and gears together: it knows no floating base and no
+// rates of loops. MuJoCo has a free joint in place of the base, and its own constraints.
 #include <gtest/gtest.h>
 
 #include "base_motion.h"
