@@ -251,9 +251,8 @@ std::string Solver::three_spheres(const std::vector<const Cycle*>& cycles) {
   for (std::size_t i = 0; i < 3; ++i)
     if (!scope_.is_zero(dot(axes[i], axes[(i + 1) % 3])))
       return loops +
-             " hold slides that are not at right angles: three rods place a platform on three slides at "
-             "right "
-             "angles";
+             " hold slides that are not at right angles, and three rods place a platform on three slides "
+             "that are";
   std::vector<Vector> centre;
   for (const Cycle* cycle : cycles) {
     const Place at = place_of(*cycle, slides.front());
