@@ -67,7 +67,7 @@ std::vector<double> start_of(const model::Mechanism& mechanism, const Linkage& l
   return best;
 }
 
-/// What the page's script calls of the mechanism's C, as the header has it.
+/// Functions of the mechanism's C that the page's script calls, as far as the header has them.
 struct Calls {
   bool assembles = false;
   json tips = json::array();  ///< those with a pose and a Jacobian
@@ -135,6 +135,10 @@ std::string derivation_html(const pipeline::LoopLines& loops) {
   return "<pre>" + text + "</pre>\n" + (loops.problems.empty() ? "" : bullets(loops.problems));
 }
 
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 /// The mechanism on a base that stands still.
 model::Mechanism standing(model::Mechanism mechanism) {
   mechanism.robot.floating_base.reset();
@@ -148,8 +152,9 @@ pipeline::RobotOutput loop_page(const model::Mechanism& described) {
   const model::Robot& robot = mechanism.robot;
   const Linkage linkage = linkage_of(mechanism);
   const std::vector<double> start = start_of(mechanism, linkage);
-  const std::string words = fmt::format("{} joints, {} loops, {} motors.", robot.joints.size(),
-                                        mechanism.loops.closures.size(), mechanism.loops.actuated.size());
+  const std::string words = counted(robot.joints.size(), "joint") + ", " +
+                            counted(mechanism.loops.closures.size(), "loop") + ", " +
+                            counted(mechanism.loops.actuated.size(), "motor") + ".";
   Page page{robot.name, {robot.title}, true, {}, loop_script()};
   page.sections.push_back({"robot", "The mechanism",
                            figure(drawing(linkage, start, {robot.name + "-loops", robot.name, words}),

@@ -1,7 +1,7 @@
 // A mechanism with closed loops moved by hand: sliders give its motors, a dragged tip is followed by them, and the mechanism
 // stays on its assembly as far as there is one. The picture is computed from the description, the joints by generated code.
 
-/// Where the parts of a linkage are: its joints, the lines of its links, rods, and the points of its ties.
+/// Places the parts of a linkage: its joints, the lines of its links, rods, and the points of its ties.
 function placedLinkage(data, q) {
   const links = [];
   const frame = (link) => (link < 0 ? data.base : links[link]);
@@ -117,8 +117,9 @@ class LiveLoops extends ByHand {
     this.redraw();
   }
 
+  /// The tip that was dragged last; the middle of the picture where there is none.
   get target() {
-    return this.linkage.tips[this.chosen].pose(this.q);
+    return this.linkage.tips[this.chosen]?.pose(this.q) ?? { r: identity(), p: this.camera.centre };
   }
   points({ joints, lines, tips, base }) {
     return [...joints.map(({ point }) => point), ...lines.flat(), ...tips.map(({ p }) => p), ...base];
@@ -135,6 +136,7 @@ class LiveLoops extends ByHand {
   }
 
   moveTarget({ p }) {
+    if (this.chosen < 0) return;
     this.q = draggedTo(this.linkage, this.linkage.tips[this.chosen], p, this.q);
     const away = norm(subtract(p, this.target.p));
     this.note = away > 1e-6 * this.data.size ? "the tip does not get there" : "";
