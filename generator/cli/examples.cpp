@@ -45,6 +45,7 @@ const char* const compare_examples = R"(
 const char* const report_examples = R"(
   qvgen report                                all known robots, into ./report; begin with report/index.html
   qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
+  qvgen report four_bar.toml -o pages         a mechanism with closed loops: moved, dragged, all its assemblies
   qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
   qvgen report puma560 --times puma.json      with times: qvgen compare puma560 --time --format json > puma.json
 )";

@@ -8,6 +8,7 @@
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
 #include "pipeline/output_folder.h"
+#include "report/loop_page.h"
 #include "report/pages.h"
 #include "report/whole_page.h"
 
@@ -22,6 +23,7 @@ struct Task {
   std::string origin;
   std::string key;
   std::optional<report::WholeRobot> whole = {};  ///< a page of several limbs, whose own tasks are others
+  std::optional<model::Mechanism> loops = {};    ///< a page of a mechanism with closed loops
 };
 
 /// Returns the whole robot behind the tasks of its limbs.
@@ -42,13 +44,19 @@ std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingre
     const std::string origin =
         pipeline::origin_of(arguments.descriptions[i], arguments.output, arguments.known_robots) +
         origin_options(arguments.read) + " report";
-    std::vector<Task> limbs;
-    for (const description::ReadResult& limb : limbs_of(descriptions[i])) {
+    const auto task_of = [&](const description::ReadResult& made) {
       const std::string made_of =
-          fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read), limb.text,
-                      report::made_of(limb.robot->name, ingredients));
-      limbs.push_back({*limb.robot, origin, pipeline::fingerprint(made_of)});
+          fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read), made.text,
+                      report::made_of(made.robot->name, ingredients));
+      return Task{*made.robot, origin, pipeline::fingerprint(made_of)};
+    };
+    if (!descriptions[i].loops.empty()) {
+      tasks.push_back(task_of(descriptions[i]));
+      tasks.back().loops = mechanism_of(descriptions[i]);
+      continue;
     }
+    std::vector<Task> limbs;
+    for (const description::ReadResult& limb : limbs_of(descriptions[i])) limbs.push_back(task_of(limb));
     if (!descriptions[i].tips.empty()) tasks.push_back(task_of_whole(descriptions[i], limbs));
     std::move(limbs.begin(), limbs.end(), std::back_inserter(tasks));
   }
@@ -95,16 +103,19 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
   std::vector<model::Robot> robots;
   for (const Task& task : changed)
-    if (!task.whole) robots.push_back(task.robot);
+    if (!task.whole && !task.loops) robots.push_back(task.robot);
   ProgressLine progress(robots.size());
   auto pages =
       report::robot_pages(robots, ingredients, [&](const std::string& robot) { progress.finished(robot); });
   FolderUpdate update;
   update.entries = report::entries_name;
   auto page = pages.begin();
-  for (const Task& task : changed)
-    update.robots.push_back(
-        {task.whole ? report::whole_page(*task.whole) : std::move(*page++), task.origin, task.key});
+  const auto page_of = [&](const Task& task) {
+    if (task.whole) return report::whole_page(*task.whole);
+    if (task.loops) return report::loop_page(*task.loops);
+    return std::move(*page++);
+  };
+  for (const Task& task : changed) update.robots.push_back({page_of(task), task.origin, task.key});
   update.removed = forgotten(arguments, tasks);
   update.shared = report::common_pages(pipeline::entries_after(arguments.output, update), errata(arguments));
   return update;
@@ -113,7 +124,7 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
 }  // namespace
 
 int run_report(const ReportArguments& arguments) {
-  const auto descriptions = read_open(arguments.descriptions, arguments.read);
+  const auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
   if (!descriptions) return bad_description;
   pipeline::check_folder(arguments.output,
                          report::common_pages(nlohmann::ordered_json::object(), errata(arguments)),

@@ -101,6 +101,14 @@ Chain chain_of(const model::Robot& robot) {
   return chain;
 }
 
+Vector numbers_of(const model::Robot& robot, const model::Vector3& vector) {
+  return Reader(robot).vector(vector);
+}
+
+Motion motion_of(const model::Robot& robot, const model::Displacement& displacement) {
+  return Reader(robot).way(displacement).motion;
+}
+
 std::vector<double> following(const Chain& chain, std::vector<double> q) {
   for (std::size_t i = 0; i < q.size(); ++i)
     if (const auto& follows = chain.joints[i].follows) q[i] = follows->second * q[follows->first];

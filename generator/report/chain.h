@@ -41,6 +41,9 @@ inline constexpr double assumed_value = 0.3;
 
 /// With the values of the description.
 Chain chain_of(const model::Robot& robot);
+/// Returns a vector and a displacement of a robot's description in the same numbers.
+Vector numbers_of(const model::Robot& robot, const model::Vector3& vector);
+Motion motion_of(const model::Robot& robot, const model::Displacement& displacement);
 
 /// The values with those of followers made what their leaders' are.
 std::vector<double> following(const Chain& chain, std::vector<double> q);

@@ -261,6 +261,22 @@ std::string picture_of(const std::vector<Placed>& limbs, const Caption& caption,
   return picture.svg(caption);
 }
 
+std::string picture_of(const Linkage& linkage, const std::vector<double>& q, const Caption& caption,
+                       double width, double height) {
+  const PlacedLinkage at = placed(linkage, q);
+  const double radius = 0.02 * extent_of(at);
+  Picture picture(width, height, 13);
+  for (const PlacedLinkage::Line& line : at.lines)
+    picture.line(line.is_base ? "link pale" : "link", line.from, line.to);
+  for (std::size_t i = 0; i < at.joints.size(); ++i) {
+    draw_joint(picture, linkage.chain.joints[i], at.joints[i], at.joints[i].point, radius);
+    if (caption.names)
+      picture.label(at.joints[i].point, typeset(linkage.chain.joints[i].variable), "joint-name");
+  }
+  for (const Motion& tip : at.tips) draw_frame(picture, "tool", tip, 3.2 * radius);
+  return picture.svg(caption);
+}
+
 /// Limbs with joint values in which most arms look like arms; joints that they share have one value.
 std::vector<Placed> bent(const std::vector<Chain>& limbs) {
   std::map<std::string, double> values;
@@ -282,6 +298,16 @@ std::string drawing(const Chain& chain, const std::vector<double>& q, const Capt
 
 std::string drawing(const std::vector<Chain>& limbs, const Caption& caption) {
   return picture_of(bent(limbs), caption, 460, 400);
+}
+
+std::string drawing(const Linkage& linkage, const std::vector<double>& q, const Caption& caption) {
+  return picture_of(linkage, q, caption, 460, 400);
+}
+
+std::string thumbnail(const Linkage& linkage, const std::vector<double>& q, const Caption& caption) {
+  Caption plain = caption;
+  plain.names = false;
+  return picture_of(linkage, q, plain, 220, 190);
 }
 
 std::string thumbnail(const std::vector<Chain>& limbs, const Caption& caption) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/chain.h"
+#include "report/linkage.h"
 
 namespace qvgen::report {
 
@@ -22,6 +23,10 @@ std::string drawing(const Chain& chain, const std::vector<double>& q, const Capt
 
 /// Draws a whole robot by its limbs; joints that they share are drawn once.
 std::string drawing(const std::vector<Chain>& limbs, const Caption& caption);
+
+/// Draws a mechanism with closed loops at joint values, and the same small and without names.
+std::string drawing(const Linkage& linkage, const std::vector<double>& q, const Caption& caption);
+std::string thumbnail(const Linkage& linkage, const std::vector<double>& q, const Caption& caption);
 
 /// Draws an arm, or the limbs of a whole robot, small and without names, for lists.
 std::string thumbnail(const std::vector<Chain>& limbs, const Caption& caption);

@@ -44,6 +44,8 @@ json joint_json(const Chain& chain, std::size_t i) {
 
 }  // namespace
 
+json motion_data(const Motion& motion) { return to_json(motion); }
+
 json chain_data(const Chain& chain) {
   json all = json::array(), moved = json::array(), start = json::array();
   const std::vector<double> bent = bent_pose(chain);
@@ -162,6 +164,8 @@ std::string live_script() {
   return drawing_script() +
          assets({"live_branches.js", "live_ring.js", "live_gallery.js", "live_hand.js", "live.js"});
 }
+
+std::string loop_script() { return drawing_script() + assets({"live_hand.js", "live_loops.js"}); }
 
 std::string whole_script() { return drawing_script() + assets({"live_hand.js", "live_whole.js"}); }
 

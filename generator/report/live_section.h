@@ -30,12 +30,15 @@ Section live_section(const model::Robot& robot, const toolchain::Runtime* runtim
 /// Returns an arm as the scripts draw it: its frames, the joints that are moved with their ranges, and its
 /// size.
 nlohmann::json chain_data(const Chain& chain);
+nlohmann::json motion_data(const Motion& motion);
 
 /// The scripts that draw an arm.
 std::string drawing_script();
 
-/// The scripts of that section, and those of a whole robot's (whole_page.h).
+/// The scripts of that section, those of a whole robot's (whole_page.h), and those of a mechanism's with
+/// loops (loop_page.h).
 std::string live_script();
 std::string whole_script();
+std::string loop_script();
 
 }  // namespace qvgen::report

@@ -197,9 +197,13 @@ class View {
       if (!joint.revolute) this.line([joint.point, joint.moved], this.colour.ink, 4);
     });
     this.line(skeleton.points, this.colour.ink, 2.5);
+    this.symbols(skeleton.joints, places);
+  }
+  /// The symbols of joints at places, the nearest to the reader last.
+  symbols(joints, places) {
     const order = places.map((p, i) => i).sort((a, b) => this.camera.depth(places[a]) - this.camera.depth(places[b]));
     for (const i of order) {
-      const { axis, revolute } = skeleton.joints[i];
+      const { axis, revolute } = joints[i];
       const rings = revolute
         ? prism(places[i], axis, this.radius, 1.1 * this.radius, 24)
         : prism(places[i], axis, 1.05 * this.radius, 1.3 * this.radius, 4);
