@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page of a mechanism with closed loops: drawn where its loops close, its derivation, and the linkage to be
-// moved by its motors and dragged at its tips, with all assemblies.
+// The page of a mechanism with closed loops: drawn where its loops close, its derivation, and the linkage to
+// be moved by its motors and dragged at its tips, with all assemblies.
 #pragma once
 
 #include "model/mechanism.h"
