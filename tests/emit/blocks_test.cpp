@@ -164,8 +164,8 @@ typedef struct Solutions {
   Solution rows[capacity];
 } Solutions;
 typedef struct Turns {
-  double values[bounded], nearest, away[2];
-  int is_over[2], side, has_one;
+  double values[bounded], step, least, most, middle, farthest, nearest, away[2];
+  int pivot, end, block_end, is_open, is_over[2], has_one;
 } Turns;
 typedef struct Representatives {
   Solution row;
@@ -173,7 +173,8 @@ typedef struct Representatives {
   double lower[whole_dof], upper[whole_dof], own[whole_dof];
   int below[whole_dof], above[whole_dof], number[whole_dof];
   Turns turns[bounded];
-  int level, next_row;
+  int levels[bounded], level_count, place, has_one[capacity];
+  int next_row;
 } Representatives;
 typedef Solution Row;
 typedef Solutions MotorRows;
