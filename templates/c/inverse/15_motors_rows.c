@@ -26,7 +26,6 @@ static int keep_within_motors(Solutions* found, const double* seed, const double
     found->rows[kept++] = row;
   }
   const int status = is_cut ? status_incomplete : found->status;
-  if (kept == 0 && stands_for_others(found)) found->effort.used_up = 1;
   found->status = status;
   found->count = kept;
   sort_rows(found->rows, kept, squares);
