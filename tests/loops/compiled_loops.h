@@ -46,9 +46,10 @@ class Compiled {
   Compiled(const Compiled&) = delete;
   Compiled& operator=(const Compiled&) = delete;
 
-  /// The function of that name, whose type the caller knows.
+  /// Returns the function of that name, whose type the caller knows. Throws if there is none.
   template <class Function>
   [[nodiscard]] Function* get(const std::string& function) const {
+    if (!has(function)) throw std::runtime_error("no function " + function);
     return reinterpret_cast<Function*>(::dlsym(library_, function.c_str()));
   }
   [[nodiscard]] bool has(const std::string& function) const {

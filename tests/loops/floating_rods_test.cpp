@@ -143,13 +143,14 @@ class Functions {
         "m_accelerations")(q.data(), qd.data(), add.data(), nullptr, result.data());
     return result;
   }
-  [[nodiscard]] TipInWorld tip(const VectorXd& base, const VectorXd& q, const VectorXd& ad) const {
+  [[nodiscard]] TipInWorld tip(const std::string& name, const VectorXd& base, const VectorXd& q,
+                               const VectorXd& ad) const {
     TipInWorld found;
     found.jacobian.resize(6, 6 + driven_);
     compiled_->get<void(const double*, const double*, const double*, const double*, double*, double*, double*,
-                        double*)>("m_driven_tip_motion_of_end")(base.data(), q.data(), ad.data(), nullptr,
-                                                                found.turn.data(), found.place.data(),
-                                                                found.jacobian.data(), found.bias.data());
+                        double*)>("m_driven_tip_motion_of_" + name)(base.data(), q.data(), ad.data(), nullptr,
+                                                                    found.turn.data(), found.place.data(),
+                                                                    found.jacobian.data(), found.bias.data());
     return found;
   }
 
@@ -186,7 +187,7 @@ void expect_tip(const Functions& m, const reference::LoopMechanism& joints, cons
   const MatrixXd rates = m.rates(q);
   const VectorXd none = VectorXd::Zero(ad.size()), at = joined(base.q, q), qd = joined(base.qd, rates * ad);
   const VectorXd qdd = joined(base.qdd, m.joint_accelerations(q, rates * ad, none));
-  const TipInWorld found = m.tip(pose_of(base), q, joined(base.velocity, ad));
+  const TipInWorld found = m.tip(frame.name, pose_of(base), q, joined(base.velocity, ad));
   const Eigen::Isometry3d pose = reference::pose_of(joints.chain, frame, at);
   const Eigen::Vector4d& turn = found.turn;
   expect_close(Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).toRotationMatrix(), pose.linear(),
