@@ -91,7 +91,7 @@ struct Timed {
 };
 
 void print(const char* name, const Timed& t) {
-  std::printf("%-14s %9.0f %9.0f", name, t.assemble, t.follow);
+  std::printf("%-22s %9.0f %9.0f", name, t.assemble, t.follow);
   if (t.inverse > 0)
     std::printf(" %9.0f", t.inverse);
   else
@@ -176,7 +176,7 @@ int main(int count, char** arguments) {
   const bool counts = count > 1 && std::string(arguments[1]) == "--instructions";
   const Meter meter{counts ? 0 : count > 1 ? std::atoi(arguments[1]) : 200};
   if (!counts)
-    std::printf("%-14s %9s %9s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "follow", "inverse", "rates",
+    std::printf("%-22s %9s %9s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "follow", "inverse", "rates",
                 "dynamics", "MuJoCo", "ratio");
   double worst = 0;
 #define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(meter, has_peer));

@@ -8,7 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 valgrind --tool=callgrind --callgrind-out-file="$folder/out" "$program" --instructions >&2
 columns='assemble follow inverse rates dynamics'
 {
-  printf '%-14s' 'instructions'
+  printf '%-22s' 'instructions'
   printf ' %9s' $columns
   printf '\n'
   for file in $(ls -v "$folder"/out.*); do
@@ -16,7 +16,7 @@ columns='assemble follow inverse rates dynamics'
   done | awk -v columns="$columns" '
     function row(  i) {
       if (mechanism == "") return
-      printf "%-14s", mechanism
+      printf "%-22s", mechanism
       for (i = 1; i <= count; ++i) { printf " %9s", found[names[i]]; found[names[i]] = "" }
       printf "\n"
     }
