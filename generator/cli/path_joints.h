@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What moves along a path, as `qvgen path` takes it: the joints of the description, or the motors that move
-// them, with the limits that hold.
+// The values that `qvgen path` moves along a path, with their limits: joints of the description, or the
+// motors that move them.
 #pragma once
 
 #include <string>
