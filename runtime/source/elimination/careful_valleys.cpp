@@ -12,7 +12,7 @@ namespace {
 /// Places this near, squared, are the same for a walk.
 constexpr double same_place = 0.12 * 0.12;
 /// A walk goes on so far, rad or share of the size: few valleys need more than two turns of two joints.
-constexpr double farthest = 25;
+constexpr double longest_in_valley = 25;
 /// Part of a closed walk that is left to be walked, on the other side of its beginning.
 constexpr double beside_start = 0.2;
 /// Largest distance between two solutions that nearly meet.
@@ -58,10 +58,10 @@ void Careful::search_valleys() {
   };
   const int rows = size_, strays = stray_count_;
   for (int k = 0; k < rows; ++k) {
-    const double far = rows_[k].continuum ? 0 : is_stray_alone ? farthest : way_to_search(rows_[k]);
+    const double far = rows_[k].continuum ? 0 : is_stray_alone ? longest_in_valley : way_to_search(rows_[k]);
     if (far > 0) search(Values(rows_[k].values), far);
   }
-  for (int k = 0; k < strays && is_stray_alone; ++k) search(Values(stray_[k]), farthest);
+  for (int k = 0; k < strays && is_stray_alone; ++k) search(Values(stray_[k]), longest_in_valley);
   for (int k = 0; k < stray_count_; ++k) is_searched_[k] = explored.has(stray_[k]);
   merge();
   // There may be more valleys than strays are remembered.
@@ -75,7 +75,7 @@ void Careful::search_valleys() {
 double Careful::way_to_search(const Row& row) {
   auto at = polishing::Newton<double, joints, 3>(task_).reached(row.values);
   if (polishing::idle_joints(at).least < joints)
-    return size_ % 2 != 0 && is_next_to_continuum(row.values) ? farthest : 0;
+    return size_ % 2 != 0 && is_next_to_continuum(row.values) ? longest_in_valley : 0;
   return polishing::dependent(at.jacobian, nearly_idle).least < joints ? beside_row : 0;
 }
 

@@ -96,30 +96,29 @@ bool is_eligible(const Chain& chain) {
 namespace {
 
 /// An elimination of several arms: how often it misses joints, and its score.
-struct Candidate {
+struct Tried {
   Choice choice;
   int missing, score;
 };
 
-/// The eliminations that miss few joints, the best first. `serves(choice, i, candidate)`: adds what the i-th
+/// The eliminations that miss few joints, the best first. `serves(choice, i, one)`: adds what the i-th
 /// arm says, false if it does not admit the choice. `poses`: how many are tried.
 template <class Serves>
 Choices best_of(int count, int poses, const Serves& serves) {
-  Candidate candidates[Choices::most];
+  Tried tried[Choices::most];
   int found = 0;
   for (const bool backwards : {false, true})
     for (int shift = 0; shift < 3; ++shift) {
-      Candidate& candidate = candidates[found] = {{backwards, shift}, 0, 0};
+      Tried& one = tried[found] = {{backwards, shift}, 0, 0};
       bool all = count > 0;
-      for (int i = 0; i < count && all; ++i) all = serves(i, candidate);
-      if (all && candidate.missing <= poses / 8) ++found;
+      for (int i = 0; i < count && all; ++i) all = serves(i, one);
+      if (all && one.missing <= poses / 8) ++found;
     }
-  std::stable_sort(candidates, candidates + found,
-                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+  std::stable_sort(tried, tried + found, [](const Tried& a, const Tried& b) { return a.score < b.score; });
   Choices choices;
   choices.count = found;
-  choices.score = found > 0 ? candidates[0].score : 0;
-  for (int i = 0; i < found; ++i) choices.choice[i] = candidates[i].choice;
+  choices.score = found > 0 ? tried[0].score : 0;
+  for (int i = 0; i < found; ++i) choices.choice[i] = tried[i].choice;
   return choices;
 }
 
@@ -139,26 +138,26 @@ JointPairs pairs_at(const Chain& chain, const double* joint_values) {
 }  // namespace
 
 Choices choose(const Description* arms, int count) {
-  return best_of(count, count * trials, [&](int i, Candidate& candidate) {
+  return best_of(count, count * trials, [&](int i, Tried& one) {
     const Chain chain = chain_of(arms[i]);
     Elimination elimination;
-    if (!is_set_up(chain, candidate.choice, elimination)) return false;
+    if (!is_set_up(chain, one.choice, elimination)) return false;
     const Trial trial = tried(chain, elimination);
-    candidate.missing += trial.missing;
-    candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 * trials / 4 : 0);
+    one.missing += trial.missing;
+    one.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 * trials / 4 : 0);
     return true;
   });
 }
 
 Choices choose(const Sample* samples, int count) {
-  return best_of(count, count, [&](int i, Candidate& candidate) {
+  return best_of(count, count, [&](int i, Tried& one) {
     const Chain chain = chain_of(samples[i].arm);
     Elimination elimination;
-    if (!is_set_up(chain, candidate.choice, elimination)) return false;
+    if (!is_set_up(chain, one.choice, elimination)) return false;
     Trial trial;
     try_at(chain, elimination, pairs_at(chain, samples[i].joints), trial);
-    candidate.missing += trial.missing;
-    candidate.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 / 4 : 0);
+    one.missing += trial.missing;
+    one.score += trial.score() + (needs_derivatives(elimination.pair) ? 10 / 4 : 0);
     return true;
   });
 }
