@@ -45,7 +45,8 @@ struct Box {
 
 class Picture {
  public:
-  Picture(double width, double height, double line) : width_(width), height_(height), line_(line) {}
+  Picture(double width, double height, double line, const Sight& sight = {})
+      : view_(sight), width_(width), height_(height), line_(line) {}
 
   void line(const std::string& style, const Vector& from, const Vector& to, int layer = 0) {
     shapes_.push_back({style, {{from, to}}, false, 0, layer});
@@ -63,6 +64,14 @@ class Picture {
   }
   void label(const Vector& at, const std::string& text, const std::string& style) {
     labels_.push_back({at, text, style});
+  }
+
+  [[nodiscard]] const View& view() const { return view_; }
+
+  /// Makes the picture no higher than what is in it.
+  void crop() {
+    fit();
+    height_ = std::min(height_, content_height_ + 0.15 * width_);  // and names above and below
   }
 
   std::string svg(const Caption& caption) {
@@ -98,6 +107,7 @@ class Picture {
     const double wide = std::max(box.right - box.left, 1e-9);
     const double high = std::max(box.bottom - box.top, 1e-9);
     scale_ = std::min((width_ - 2 * margin) / wide, (height_ - margin) / high);
+    content_height_ = scale_ * high;
     shift_ = {width_ / 2 - scale_ * (box.left + box.right) / 2,
               height_ / 2 - scale_ * (box.top + box.bottom) / 2};
   }
@@ -169,7 +179,7 @@ class Picture {
 
   View view_;
   double width_, height_, line_;
-  double scale_ = 1;
+  double scale_ = 1, content_height_ = 0;
   Point shift_{};
   std::vector<Shape> shapes_;
   std::vector<Label> labels_;
@@ -264,8 +274,9 @@ std::string picture_of(const std::vector<Placed>& limbs, const Caption& caption,
 std::string picture_of(const Linkage& linkage, const std::vector<double>& q, const Caption& caption,
                        double width, double height) {
   const PlacedLinkage at = placed(linkage, q);
-  const double radius = 0.02 * extent_of(at);
-  Picture picture(width, height, 13);
+  const Sight sight = sight_of(linkage, at);
+  const double radius = symbol_radius(at, sight);
+  Picture picture(width, height, 13, sight);
   for (const PlacedLinkage::Line& line : at.lines)
     picture.line(line.is_base ? "link pale" : "link", line.from, line.to);
   for (std::size_t i = 0; i < at.joints.size(); ++i) {
@@ -273,7 +284,12 @@ std::string picture_of(const Linkage& linkage, const std::vector<double>& q, con
     if (caption.names)
       picture.label(at.joints[i].point, typeset(linkage.chain.joints[i].variable), "joint-name");
   }
+  for (const Vector& end : at.ties) {
+    const Vector& toward = picture.view().toward();
+    picture.solid("tie", prism(end + radius * toward, toward, 0.4 * radius, 0, 12), toward);
+  }
   for (const Motion& tip : at.tips) draw_frame(picture, "tool", tip, 3.2 * radius);
+  if (caption.names) picture.crop();
   return picture.svg(caption);
 }
 

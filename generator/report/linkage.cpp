@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/linkage.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
 #include "report/live_section.h"
 
 namespace qvgen::report {
@@ -73,7 +79,7 @@ Linkage linkage_of(const model::Mechanism& mechanism) {
 
 PlacedLinkage placed(const Linkage& linkage, const std::vector<double>& q) {
   const Frames frames = frames_of(linkage, q);
-  PlacedLinkage result{frames.joints, {}, {}};
+  PlacedLinkage result{frames.joints, {}, {}, {}};
   std::vector<Vector> origins;
   for (const Posture::Joint& joint : frames.joints) origins.push_back(joint.moved);
   LinkLines lines(origins);
@@ -87,6 +93,7 @@ PlacedLinkage placed(const Linkage& linkage, const std::vector<double>& q) {
     for (std::size_t k = 0; k < 2; ++k) {
       ends.at(k) = frames.of(tie.links.at(k)) * tie.points.at(k);
       lines.carry(tie.links.at(k), ends.at(k));
+      result.ties.push_back(ends.at(k));
     }
     if (tie.is_apart) lines.lines.push_back({ends[0], ends[1]});
   }
@@ -104,9 +111,42 @@ double extent_of(const PlacedLinkage& at) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-nlohmann::json linkage_data(const Linkage& linkage) {
+Sight sight_of(const Linkage& linkage, const PlacedLinkage& at) {
+  constexpr double most = 0.6, beside = 0.3, lowest = 0.28, highest = 1.15;
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < at.joints.size(); ++i)
+    if (linkage.chain.joints[i].revolute) axes += at.joints[i].axis * at.joints[i].axis.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(axes);
+  if (!(solver.eigenvalues()[2] > most * axes.trace())) return {};
+  Vector way = solver.eigenvectors().col(2);
+  if (way.dot(View().toward()) < 0) way = -way;
+  const bool is_steep = std::hypot(way[0], way[1]) < 0.3;  // x is to the right then
+  const double azimuth = is_steep ? -std::numbers::pi / 2 : std::atan2(way[1], way[0]);
+  return {azimuth + beside, std::clamp(std::asin(way[2]), lowest, highest)};
+}
+
+double symbol_radius(const PlacedLinkage& at, const Sight& sight) {
+  constexpr double largest = 0.02, smallest = 0.007, of_gap = 0.35;
+  const View view(sight);
+  const double extent = extent_of(at);
+  double radius = largest * extent;
+  for (const Posture::Joint& a : at.joints)
+    for (const Posture::Joint& b : at.joints) {
+      const Point from = view.project(a.point), to = view.project(b.point);
+      const double gap = std::hypot(from[0] - to[0], from[1] - to[1]);
+      if (gap > 1e-6 * extent) radius = std::min(radius, std::max(of_gap * gap, smallest * extent));
+    }
+  return radius;
+}
+
+nlohmann::json linkage_data(const Linkage& linkage, const std::vector<double>& start) {
   using nlohmann::json;
   json data = chain_data(linkage.chain);
+  const PlacedLinkage at = placed(linkage, start);
+  const Sight sight = sight_of(linkage, at);
+  data["start"] = start;
+  data["sight"] = {{"azimuth", sight.azimuth}, {"elevation", sight.elevation}};
+  data["radius"] = symbol_radius(at, sight);
   const auto point = [](const Vector& v) { return json{v[0], v[1], v[2]}; };
   data["parents"] = data["ties"] = data["tips"] = json::array();
   for (const std::size_t parent : linkage.parents) data["parents"].push_back(index_of(parent));

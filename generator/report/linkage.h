@@ -10,6 +10,7 @@
 
 #include "model/mechanism.h"
 #include "report/chain.h"
+#include "report/view.h"
 
 namespace qvgen::report {
 
@@ -43,6 +44,7 @@ struct PlacedLinkage {
     bool is_base = false;
   };
   std::vector<Line> lines;  ///< from joints to what their links carry, and rods
+  std::vector<Vector> ties;  ///< the ends of closures
   std::vector<Motion> tips;
 };
 PlacedLinkage placed(const Linkage& linkage, const std::vector<double>& q);
@@ -50,7 +52,15 @@ PlacedLinkage placed(const Linkage& linkage, const std::vector<double>& q);
 /// Diagonal of the box around all lines, m.
 double extent_of(const PlacedLinkage& at);
 
-/// Returns a linkage as the scripts draw it.
-nlohmann::json linkage_data(const Linkage& linkage);
+/// Returns where a linkage is seen from: somewhat beside the direction of most of its turns, so that its
+/// links are seen in their whole lengths; the usual side where turns do not share a direction.
+Sight sight_of(const Linkage& linkage, const PlacedLinkage& at);
+
+/// Radius of the joints' symbols, m: a share of the whole, less where joints are close to each other in the
+/// picture.
+double symbol_radius(const PlacedLinkage& at, const Sight& sight);
+
+/// Returns a linkage as the scripts draw it, first at joint values `start`.
+nlohmann::json linkage_data(const Linkage& linkage, const std::vector<double>& start);
 
 }  // namespace qvgen::report

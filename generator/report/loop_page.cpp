@@ -120,8 +120,7 @@ Section loop_live_section(const model::Mechanism& mechanism, const Linkage& link
   files["calls.c"] = calls_text(mechanism, calls);
   const Compiled compiled = to_webassembly(files);
   if (!compiled.done) return still_section(compiled.reason);
-  json data = linkage_data(linkage);
-  data["start"] = start;
+  json data = linkage_data(linkage, start);
   data["module"] = base64(compiled.bytes);
   return {"interactive", "Interactive view",
           emit::render("report/loops.html", {{"data", data.dump()},
@@ -158,8 +157,8 @@ pipeline::RobotOutput loop_page(const model::Mechanism& described) {
   Page page{robot.name, {robot.title}, true, {}, loop_script()};
   page.sections.push_back({"robot", "The mechanism",
                            figure(drawing(linkage, start, {robot.name + "-loops", robot.name, words}),
-                                  "Turns are cylinders, slides boxes; rods have no joints at their ends; the "
-                                  "tips have frames.")});
+                                  "Turns are cylinders, slides boxes, ends of closures dots; the tips have "
+                                  "frames.")});
   page.sections.push_back(loop_live_section(mechanism, linkage, start));
   page.sections.push_back(
       {"assemblies", "Assemblies", derivation_html(pipeline::loop_lines(mechanism, true))});

@@ -7,9 +7,8 @@
 
 namespace qvgen::report {
 
-View::View() {
-  constexpr double azimuth = -0.95;  // rad; x to the right and towards the reader, y to the back
-  constexpr double elevation = 0.36;
+View::View(const Sight& sight) {
+  const auto [azimuth, elevation] = sight;
   right_ = {-std::sin(azimuth), std::cos(azimuth), 0};
   toward_ = {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
              std::sin(elevation)};

@@ -10,10 +10,17 @@ namespace qvgen::report {
 
 using Point = std::array<double, 2>;
 
-/// A camera at infinity that looks down a little; z is up.
+/// The direction from a picture to its reader by angles, rad; z is up. Without more said x is to the right
+/// and towards the reader, y to the back, and the reader looks down a little.
+struct Sight {
+  double azimuth = -0.95;
+  double elevation = 0.36;
+};
+
+/// A camera at infinity.
 class View {
  public:
-  View();
+  explicit View(const Sight& sight = {});
   [[nodiscard]] Point project(const Vector& v) const { return {right_.dot(v), -up_.dot(v)}; }
   /// How near to the camera.
   [[nodiscard]] double depth(const Vector& v) const { return toward_.dot(v); }

@@ -104,11 +104,11 @@ class LiveLoops extends ByHand {
     this.chosen = linkage.tips.findIndex(Boolean);
     this.note = "";
     const canvas = document.getElementById("live-canvas");
-    this.camera = new Camera(1);
+    this.camera = new Camera(1, this.data.sight);
     const { centre, wide, high } = extent(this.points(placedLinkage(this.data, this.q)), this.camera.right, this.camera.up);
     Object.assign(this.camera, { centre, size: Math.max(wide, high) || 1 });
     this.view = new View(canvas, this.camera);
-    this.view.radius *= 0.6;
+    this.view.radius = this.data.radius;
     this.all = document.getElementById("live-all");
     this.list = document.getElementById("live-assemblies");
     const driven = this.data.driven.map((i) => this.data.joints[i]);
@@ -157,10 +157,11 @@ class LiveLoops extends ByHand {
   draw() {
     const own = placedLinkage(this.data, this.q);
     const found = this.linkage.assemble(this.linkage.motors(this.q), this.q);
+    const others = this.all.checked ? found.slice(1).map(({ q }) => placedLinkage(this.data, q)) : [];
     this.view.clear();
-    if (this.held < 0) this.camera.keep(this.points(own));
+    if (this.held < 0) this.camera.keep([own, ...others].flatMap((each) => this.points(each)));
     this.view.ground();
-    if (this.all.checked) found.slice(1).forEach((other) => this.drawOther(other));
+    for (const { lines } of others) lines.forEach((line) => this.view.line(line, this.view.colour.soft, 1.1));
     own.base.slice(1).forEach((point, i) => this.view.line([own.base[i], point], this.view.colour.line, 3));
     own.lines.forEach((line) => this.view.line(line, this.view.colour.ink, 2.5));
     this.view.symbols(own.joints, own.joints.map(({ point }) => point));
@@ -168,10 +169,6 @@ class LiveLoops extends ByHand {
     this.linkage.tips.forEach((tip, i) => tip && this.view.target(tip.pose(this.q), i === this.chosen ? this.held : -1, 1));
     this.showMotors(this.linkage.motors(this.q));
     this.showAssemblies(found);
-  }
-
-  drawOther({ q }) {
-    for (const line of placedLinkage(this.data, q).lines) this.view.line(line, this.view.colour.soft, 1.1);
   }
 
   /// A button for each assembly; the present one is pressed.

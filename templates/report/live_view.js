@@ -12,9 +12,9 @@ function extent(points, right, up) {
 }
 
 class Camera {
-  constructor(size) {
-    this.azimuth = -0.95;
-    this.elevation = 0.36;
+  constructor(size, { azimuth, elevation } = { azimuth: -0.95, elevation: 0.36 }) {
+    this.azimuth = azimuth;
+    this.elevation = elevation;
     this.size = size;
     this.centre = [0, 0, 0];
     this.aim();
