@@ -314,6 +314,7 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   const json given_angles = in_one_call(given_values);
   const emit::CppPrinter in_signs("inverse::BothSigns");
   const std::vector<std::string> arguments = {"t", "q", "found"};
+  const bool as_found = !has_chains && !assembly.has_gears() && assembly.redundant.empty();
   return {{"function", variant.function},
           {"type", variant.type},
           {"space", variant.space},
@@ -349,8 +350,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"work_fields", fields_of(emit::work_fields(plan))},
           {"target", emit::target_values(robot, plan, emit::cpp())},
           {"steps", emit::step_values(robot, plan, emit::cpp())},
-          {"lines",
-           emit::lines_of(in_signs.body(arguments, emit::every_assembly(plan, emit::Signs::side_by_side)))}};
+          {"lines", emit::lines_of(in_signs.body(
+                        arguments, emit::every_assembly(plan, emit::Signs::side_by_side, as_found)))}};
 }
 
 void add_constraints_in_c(const AssemblyPlan& assembly, json& values) {

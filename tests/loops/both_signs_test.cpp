@@ -108,5 +108,44 @@ TEST(BothSigns, MarkBranches) {
   EXPECT_FALSE(any(solve<inverse::BothSigns>(apart, {1, -1}).branch.exists));
 }
 
+template <class Scalar>
+void expect_regular_without_marks() {
+  using Mark = inverse::Mask<Scalar> Branch<Scalar>::*;
+  const Branch<double> around;
+  const Branch<Scalar> plain;
+  EXPECT_TRUE(inverse::are_regular(around, plain, plain));
+  for (const Mark mark : {&Branch<Scalar>::exists, &Branch<Scalar>::continuum, &Branch<Scalar>::unsure})
+    for (const bool first : {false, true}) {
+      // The mark of one of both solutions is not that of a regular branch.
+      Branch<Scalar> marked;
+      const bool usual = mark == &Branch<Scalar>::exists;
+      marked.*mark = Scalar(first == usual ? 0 : 1, first == usual ? 1 : 0) == Scalar(1);
+      EXPECT_FALSE(inverse::are_regular(around, marked, plain));
+      EXPECT_FALSE(inverse::are_regular(around, plain, marked));
+    }
+  for (const auto mark : {&Branch<double>::exists, &Branch<double>::continuum, &Branch<double>::unsure}) {
+    Branch<double> marked;
+    marked.*mark = !(marked.*mark);
+    EXPECT_FALSE(inverse::are_regular(marked, plain));
+  }
+}
+
+TEST(BothSigns, AreRegularWithoutMarks) {
+  expect_regular_without_marks<inverse::BothSigns>();
+  expect_regular_without_marks<inverse::TwoNumbers>();
+}
+
+TEST(BothSigns, AreFiniteIfAllValuesAre) {
+  double two[2] = {1, -2}, four[4] = {1e300, -1e300, 0, 3};
+  EXPECT_TRUE(inverse::are_finite(two, four));
+  for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    for (double* value : {&two[0], &two[1], &four[0], &four[3]}) {
+      const double before = *value;
+      *value = wrong;
+      EXPECT_FALSE(inverse::are_finite(two, four));
+      *value = before;
+    }
+}
+
 }  // namespace
 }  // namespace qvgen::test::both_signs

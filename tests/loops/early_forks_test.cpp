@@ -13,6 +13,8 @@
 #include "derive/inverse/schedule.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/every_assembly.h"
 
 namespace qvgen::test::early_forks {
 namespace {
@@ -84,6 +86,24 @@ TEST(EarlyForks, TheRockerOfAnExcavatorReadsItsCylinderAlone) {
   const Plan plan = plan_from_motors("excavator");
   EXPECT_THAT(depths(plan), ElementsAre(0, 0, 0, 0));
   EXPECT_THAT(over(plan), ElementsAre(-1, -1, -1, 2));
+}
+
+/// True if rows of a plan are appended without marks where all forks are solved side by side.
+bool has_regular_rows(const Plan& plan, bool as_found = true, emit::Signs signs = emit::Signs::side_by_side) {
+  const auto statements = emit::every_assembly(derive::inverse::lower(plan), signs, as_found);
+  const emit::ast::Lines lines = emit::CppPrinter("Lanes").body({"t", "q", "found"}, statements);
+  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("append_regular") != std::string::npos;
+  });
+}
+
+TEST(EarlyForks, RowsNeedNoMarksWhereAllForksAreStored) {
+  EXPECT_TRUE(has_regular_rows(plan_from_outputs("delta")));
+  EXPECT_TRUE(has_regular_rows(plan_from_motors("palletiser")));
+  EXPECT_TRUE(has_regular_rows(plan_from_motors("excavator")));
+  EXPECT_FALSE(has_regular_rows(plan_from_motors("excavator"), false));
+  EXPECT_FALSE(has_regular_rows(plan_from_motors("excavator"), true, emit::Signs::in_turn));
+  EXPECT_FALSE(has_regular_rows(plan_from_motors("ankle")));  // eight roots, no forks
 }
 
 /// Names that steps leave in so many loops, those of the fork itself, and of one over whose values it goes.

@@ -12,6 +12,7 @@ namespace {
 
 using ast::Element;
 using ast::Expression;
+using ast::Expressions;
 using ast::Statements;
 using Kind = Expression::Kind;
 
@@ -73,9 +74,10 @@ class Stored {
 
 class EveryAssembly : public Walk {
  public:
-  EveryAssembly(const derive::inverse::LoweredPlan& plan, Signs signs)
+  EveryAssembly(const derive::inverse::LoweredPlan& plan, Signs signs, bool as_found)
       : Walk(plan, Element::plain),
         signs_(signs),
+        as_found_(as_found),
         early_(early_forks(plan.plan, signs == Signs::side_by_side)) {}
 
   Statements write() {
@@ -94,6 +96,8 @@ class EveryAssembly : public Walk {
   }
   void fork(const BranchNode& node, const Place& at, Statements& to) override {
     solve_early(at, to);
+    if (all_is_stored(node, at)) rows_of_regular(at, to);
+    add_marks(to);
     if (const EarlyFork* early = fork_of(node.step))
       loop_of_stored(node, *early, at, to);
     else
@@ -111,6 +115,72 @@ class EveryAssembly : public Walk {
   void wrist(std::size_t /*step*/, const Place& /*at*/, Statements& /*to*/) override { refuse(); }
   [[noreturn]] static void refuse() {
     throw std::logic_error("closed loops have neither wrists nor Newton steps");
+  }
+
+  // Rows need no marks where all forks that are left have been solved side by side, and no value is free,
+  // doubtful or missing: their joints alone are combined.
+
+  /// True if a fork and those in its body are solved in lanes here, the last of them just before.
+  [[nodiscard]] bool all_is_stored(const BranchNode& node, const Place& at) const {
+    const bool some_here = std::any_of(early_.begin(), early_.end(),
+                                       [&](const EarlyFork& fork) { return fork.depth == at.forks; });
+    return as_found_ && signs_ == Signs::side_by_side && some_here && is_stored(node, at);
+  }
+  [[nodiscard]] bool is_stored(const BranchNode& node, const Place& at) const {
+    using Node = BranchNode::Kind;
+    if (node.kind == Node::newton || node.kind == Node::last_wrist) return false;
+    const EarlyFork* fork = fork_of(node.step);
+    if (node.kind == Node::fork && (fork == nullptr || fork->depth > at.forks)) return false;
+    if ((node.kind == Node::solve || node.kind == Node::joints) && fork == nullptr) return false;
+    return std::all_of(node.body.begin(), node.body.end(),
+                       [&](const BranchNode& each) { return is_stored(each, at); });
+  }
+
+  /// Adds the marks of forks that have just been solved, which the loops with marks read.
+  void add_marks(Statements& to) {
+    ast::append(to, late_marks_);
+    late_marks_.clear();
+  }
+
+  /// Combines the forks' values if all of them are regular, and leaves.
+  void rows_of_regular(const Place& at, Statements& to) const {
+    Expressions branches{branch(at.work)}, values;
+    for (const EarlyFork& fork : early_) {
+      for (const int joint : stored(fork).joints()) values.push_back(stored(fork).joint(joint));
+      if (fork.number < at.forks) continue;  // whose mark the branch has
+      for (const char* name : {"both", "other"})
+        if (fork.over >= 0 || std::string(name) == "both")
+          branches.push_back(branch(work(name + std::to_string(fork.number), Element::lanes)));
+    }
+    Statements rows;
+    add_rows_of_regular(at.forks, at.label, rows);
+    rows.push_back(leave(at));
+    to.push_back(ast::choose(ast::call(Kind::runtime, "are_regular", branches),
+                             {ast::choose(ast::call(Kind::runtime, "are_finite", values), rows)}));
+  }
+
+  /// Loops over the signs of the forks from a number on, and the row in them. A row's values are stored one
+  /// by one: a copy of a row that has just been changed would wait for the changes.
+  void add_rows_of_regular(int number, const Expression& label, Statements& to) const {
+    const auto fork = std::find_if(early_.begin(), early_.end(),
+                                   [number](const EarlyFork& each) { return each.number == number; });
+    if (fork != early_.end()) {
+      const std::string k = "k" + std::to_string(number);
+      ast::Statement rounds = ast::loop(k, ast::whole(2));
+      add_rows_of_regular(number + 1, branch_label(label, 2, k), rounds.body);
+      to.push_back(rounds);
+      return;
+    }
+    to.push_back(ast::deduced({}, "row",
+                              ast::call(Kind::runtime, "append_regular",
+                                        {ast::member(ast::name("found"), "rows"), ast::name("q"), label})));
+    to.back().alias = true;
+    for (const EarlyFork& each : early_)
+      for (const int joint : stored(each).joints())
+        to.push_back(ast::assign(
+            ast::entry(ast::name("row"),
+                       ast::whole(static_cast<int>(plan_.plan.places[static_cast<std::size_t>(joint)]))),
+            stored(each).entry(stored(each).joint(joint))));
   }
 
   // Forks that are solved before the loops over signs in which they are.
@@ -202,11 +272,12 @@ class EveryAssembly : public Walk {
   }
 
   /// Stores both lanes, from a place of the arrays on.
-  void store_lanes(const EarlyFork& fork, const Expression& lanes, int first, Statements& to) const {
+  void store_lanes(const EarlyFork& fork, const Expression& lanes, int first, Statements& to) {
     const Stored in = stored(fork);
     for (int lane = 0; lane < 2; ++lane)
-      to.push_back(ast::assign(ast::entry(in.branches(), ast::whole(first + lane)),
-                               ast::call(Kind::runtime, "of_sign", {branch(lanes), ast::whole(lane)})));
+      late_marks_.push_back(
+          ast::assign(ast::entry(in.branches(), ast::whole(first + lane)),
+                      ast::call(Kind::runtime, "of_sign", {branch(lanes), ast::whole(lane)})));
     const auto store = [&](const Expression& value, const Expression& array) {
       const Expression place = first == 0 ? array : ast::sum({array, ast::whole(first)});
       to.push_back(ast::evaluate(ast::method(value, "store", {place})));
@@ -241,13 +312,15 @@ class EveryAssembly : public Walk {
   }
 
   Signs signs_;
+  bool as_found_;
   std::vector<EarlyFork> early_;
+  Statements late_marks_;  ///< marks of forks just solved, which the loops with marks read
 };
 
 }  // namespace
 
-Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs) {
-  return EveryAssembly(plan, signs).write();
+Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs, bool as_found) {
+  return EveryAssembly(plan, signs, as_found).write();
 }
 
 }  // namespace qvgen::emit

@@ -10,7 +10,9 @@ namespace qvgen::emit {
 enum class Signs { in_turn, side_by_side };
 
 /// Follows all branches of a plan of closed loops. Each row goes to the generated function
-/// `take(t, q, label, branch, found)`, which puts the given joints beside it.
-ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs);
+/// `take(t, q, label, branch, found)`, which puts the given joints beside it. If `as_found` is
+/// true, `take` leaves regular rows as they are. Where all forks have been solved side by side, such rows are
+/// then appended without it.
+ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan, Signs signs, bool as_found = false);
 
 }  // namespace qvgen::emit

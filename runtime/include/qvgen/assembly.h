@@ -52,6 +52,15 @@ bool are_finite(const Joints<dof>& q) {
   return (0.0 * q).sum() == 0;
 }
 
+/// Appends a row on which nothing is free and that meets no other. Returns its joints, which are those of `q`
+/// until the passive ones are put there; for generated code.
+template <int dof, int capacity>
+Joints<dof>& append_regular(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch) {
+  Solution<dof>& row = found.append();
+  row = {q, branch, false};
+  return row.q;
+}
+
 /// Appends a row, but for one that an earlier row it meets is; for generated code.
 template <int dof, int capacity, std::size_t count>
 void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch, bool is_free,

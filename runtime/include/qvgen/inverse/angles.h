@@ -130,14 +130,13 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   branch.doubt(blurred);
   if constexpr (leaves_singular_poses<Scalar>) return (Scalar(1) / sqrt(square)) * v;
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
-  Rotor<Scalar> unit = scale * v;
-  if (any(blurred)) {
-    branch.continuum = branch.continuum | (branch.exists & is_marked(square, widest_blur<Scalar>(), tiny));
-    const Rotor<Scalar> near = turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square),
-                                                            Scalar(widest_blur<Scalar>() * tiny));
-    unit = {select(blurred, near.cosine, unit.cosine), select(blurred, near.sine, unit.sine)};
-  }
-  return {select(is_free, choice.cosine, unit.cosine), select(is_free, choice.sine, unit.sine)};
+  const Rotor<Scalar> unit = scale * v;
+  if (!any(blurred)) return unit;
+  branch.continuum = branch.continuum | (branch.exists & is_marked(square, widest_blur<Scalar>(), tiny));
+  const Rotor<Scalar> near = turned_to<Scalar, opposites>(choice, unit, select(is_free, tiny, square),
+                                                          Scalar(widest_blur<Scalar>() * tiny));
+  const Rotor<Scalar> seen{select(blurred, near.cosine, unit.cosine), select(blurred, near.sine, unit.sine)};
+  return {select(is_free, choice.cosine, seen.cosine), select(is_free, choice.sine, seen.sine)};
 }
 
 /// Length of a choice that takes the place of a direction without length: as good as zero, and far from

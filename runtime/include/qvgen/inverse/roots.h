@@ -90,9 +90,13 @@ Rotor<Scalar> free_circle_angle(const Scalar& low, const Scalar& high, const Rot
   Branch<Scalar> regular = branch;
   const Rotor<Scalar> turn = circle_from(low, high, Scalar(Scalar(1) / (low + high)), sign, boundary,
                                          nearly_free(square, low, high, tiny, boundary), regular);
-  branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   const Rotor<Scalar> found = turn * Rotor<Scalar>{from.cosine * scale, from.sine * scale};
+  if (!any(is_free)) {
+    branch = regular;
+    return found;
+  }
+  branch.take(is_free, gap * gap <= Scalar(boundary.gap) * tiny, regular);
   return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
@@ -119,12 +123,16 @@ Rotor<Scalar> folding_circle_angle(const Rotor<Scalar>& straight, const Rotor<Sc
       (square <= Scalar(boundary.near) * tiny) | (end_square <= Scalar(tolerance::magnified_end) * tiny);
   Branch<Scalar> regular = branch;
   admit(Scalar(Scalar(0.25) * across_square * scale), limits_of<Scalar>(boundary), is_near, regular);
-  branch.take(is_free, Mask<Scalar>(true), regular);
   const Rotor<Scalar> mirrored{(from.cosine * along + from.sine * across) * scale,
                                (from.sine * along - from.cosine * across) * scale};
   const Mask<Scalar> is_straight = sign * across >= Scalar(0);
   const Rotor<Scalar> found{select(is_straight, straight.cosine, mirrored.cosine),
                             select(is_straight, straight.sine, mirrored.sine)};
+  if (!any(is_free)) {
+    branch = regular;
+    return found;
+  }
+  branch.take(is_free, Mask<Scalar>(true), regular);
   return {select(is_free, Scalar(sign * choice.cosine), found.cosine),
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }

@@ -93,7 +93,7 @@ class Solutions {
   /// solved, singular, unreachable or incomplete, from the rows that were found.
   void conclude() {
     bool marked = false;
-    for (const Solution<dof>& row : *this) marked = marked || row.continuum;
+    for (const Solution<dof>& row : *this) marked |= row.continuum;
     status = effort.used_up ? Status::incomplete
              : empty()      ? Status::unreachable
              : marked       ? Status::singular

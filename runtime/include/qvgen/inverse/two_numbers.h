@@ -30,6 +30,7 @@ struct TwoTruths {
   /// One bit for each number, the first one lowest.
   friend unsigned bits(const TwoTruths& a) { return (a.one ? 1U : 0U) | (a.other ? 2U : 0U); }
   friend bool any(const TwoTruths& a) { return a.one || a.other; }
+  friend bool all(const TwoTruths& a) { return a.one && a.other; }
 };
 
 struct TwoNumbers {
@@ -38,6 +39,7 @@ struct TwoNumbers {
   TwoNumbers() = default;
   TwoNumbers(double both) : one(both), other(both) {}  // NOLINT(google-explicit-constructor)
   TwoNumbers(double first, double second) : one(first), other(second) {}
+  static TwoNumbers load(const double* from) { return {from[0], from[1]}; }
   void store(double* to) const {
     to[0] = one;
     to[1] = other;
