@@ -14,6 +14,7 @@
 #include <qvgen/robots/ur5.h>
 
 #include "reference/linear_algebra.h"
+#include "wrist_over_axis.h"
 
 namespace {
 
@@ -127,6 +128,48 @@ TYPED_TEST(LimitsNearSingularPoses, WhatIsWithinLimitsIsReached) {
   EXPECT_LE(missing, 2) << "of 6000 calls";
   EXPECT_LE(missing_where_two_are, 2) << "of 6000 calls";
   EXPECT_LE(told, 60) << "of 6000 calls";
+}
+
+/// Arms whose wrist's centre reaches the first axis, at angles that are multiples of nothing.
+template <class Arm>
+class LimitsOverTheFirstAxis : public testing::Test {};
+using ArmsOverAnAxis = testing::Types<irb6640_arm, rx90_arm>;
+TYPED_TEST_SUITE(LimitsOverTheFirstAxis, ArmsOverAnAxis);
+
+/// Law: with the wrist's centre on the first axis, or next to it, which leaves that joint free, joints drawn
+/// within limits are never answered `unreachable`, if the wrist is not straight as well: there two continua
+/// cross, and one may have no row.
+TYPED_TEST(LimitsOverTheFirstAxis, WhatIsWithinLimitsIsReached) {
+  using Arm = TypeParam;
+  NearSingular<Arm> samples(11);
+  const auto tool = [](const Eigen::VectorXd& q) { return Arm::forward(typename Arm::Row(q)).position; };
+  int poses = 0, told = 0, without_rows = 0;
+  for (int k = 0; k < 1000; ++k) {
+    auto sample = samples.draw();
+    Eigen::VectorXd q = sample.q;
+    if (std::abs(std::sin(q[4])) < 0.1 || !qvgen::test::put_wrist_over_first_axis(tool, q)) continue;
+    if (k % 3 != 0) q[1] += (k % 2 == 0 ? 1 : -1) * std::pow(10, -3.0 - k % 12);
+    sample.limits.lower += q - sample.q;
+    sample.limits.upper += q - sample.q;
+    sample.q = q;
+    ++poses;
+    const auto pose = Arm::forward(sample.q);
+    const auto check = [&](const auto& found) {
+      EXPECT_NE(found.status, qvgen::Status::unreachable) << q.transpose().format(Eigen::IOFormat(17));
+      told += found.status == qvgen::Status::incomplete ? 1 : 0;
+      without_rows += found.empty() ? 1 : 0;
+      for (const auto& row : found) {
+        EXPECT_LT((Arm::forward(row.q).position - pose.position).norm(), 1e-11);
+        EXPECT_GT(std::abs(Arm::forward(row.q).orientation.dot(pose.orientation)), 1 - 1e-11);
+      }
+    };
+    check(Arm::inverse(pose, sample.limits));
+    check(Arm::inverse(pose, typename Arm::Row(Arm::Row::Zero()), sample.limits));
+    check(Arm::inverse(pose, sample.q, sample.limits));
+  }
+  EXPECT_GT(poses, 300);
+  EXPECT_EQ(without_rows, 0);
+  EXPECT_LE(told, 60) << "of " << 3 * poses << " calls";
 }
 
 template <class Found, class Expected>

@@ -363,14 +363,20 @@ def test_with_several_joints_given(gantry, rows):
     np.testing.assert_allclose(near.q, q, atol=1e-8)
 
 
-def test_joints_within_limits_are_not_unreachable_where_one_is_free(ns, rows):
+def test_joints_within_limits_have_a_row_where_one_is_free(ns, rows):
     q = rows(ns)
     q[:, 4] = 0  # axes 4 and 6 are one line
     poses = ns.forward_kinematics(q)
     for n in range(len(q)):
         limits = (q[n] - 0.05, q[n] + 0.05)
         for seed in (None, np.zeros(6)):
-            assert ns.inverse_kinematics(poses[n], seed, limits=limits).status in (qvgen.Status.singular, qvgen.Status.incomplete)
+            found = ns.inverse_kinematics(poses[n], seed, limits=limits)
+            assert found.status == qvgen.Status.singular and found.count > 0
+            inside = found.q[:found.count]
+            assert ((inside >= limits[0]) & (inside <= limits[1])).all()
+            reached = ns.forward_kinematics(inside)
+            np.testing.assert_allclose(np.abs(reached[:, :4] @ poses[n, :4]), 1, atol=1e-9)
+            np.testing.assert_allclose(reached[:, 4:], np.tile(poses[n, 4:], (found.count, 1)), atol=1e-9)
 
 
 def test_nearest_pose(scara, rows):

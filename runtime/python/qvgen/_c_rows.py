@@ -77,10 +77,8 @@ static ptrdiff_t all_rows(const qvgen_call* c, int seed_at, solver solve) {{
     solve(c, k, seed, &found);
     double count = found.count;
     if (seed == NULL && c->lower != NULL) {{
-      count = representatives(c, k, &found);
-      /* A free joint may have values inside, which nothing has looked for. */
-      if (found.count > 0 && count == 0)
-        found.status = found.status == {robot}_singular || found.effort.passes > 0 ? {robot}_incomplete : {robot}_unreachable;
+      const int is_free = found.count > 0 && (found.status != {robot}_solved || found.effort.passes > 0);
+      {representing}
     }} else {{
       for (int n = 0; n < found.count; ++n) put(c, k * c->capacity + n, &found.rows[n]);
     }}
@@ -104,6 +102,18 @@ static ptrdiff_t near_rows(const qvgen_call* c, int seed_at, solver solve) {{
   return 0;
 }}
 """
+
+# Next to a seed C moves what is free to where all joints are inside, at regular poses only by rounding.
+REPRESENTING_JOINTS = """static const double zero[{dof}] = {{0}};
+      if (is_free) solve(c, k, zero, &found);
+      count = representatives(c, k, &found);
+      if (!is_free && found.count > 0 && count == 0) {{
+        solve(c, k, zero, &found);
+        count = representatives(c, k, &found);
+      }}"""
+# A free joint may have values inside, which nothing has looked for.
+REPRESENTING_MOTORS = """count = representatives(c, k, &found);
+      if (found.count > 0 && count == 0) found.status = is_free ? {robot}_incomplete : {robot}_unreachable;"""
 
 # The whole row at once: each joint goes to its last turn.
 TURNS_OF_JOINTS = """for (int i = 0; i < {dof}; ++i) {{
@@ -182,7 +192,9 @@ def c_rows(header, includes, targets, number):
     if "total_mass" in header.functions:
         text += PLAIN.format(name="total_mass", call=f"*(number*)result(c, 0, k, 1) = {robot}_total_mass(c->geometry, c->inertia)")
     if number == "double" and targets:
-        counting = TURNS_OF_MOTORS if header.turns_move_motors else TURNS_OF_JOINTS.format(dof=dof)
-        text += SOLUTIONS.format(robot=robot, dof=dof, counting=counting)
+        moves_motors = header.turns_move_motors
+        counting = TURNS_OF_MOTORS if moves_motors else TURNS_OF_JOINTS.format(dof=dof)
+        representing = (REPRESENTING_MOTORS if moves_motors else REPRESENTING_JOINTS).format(robot=robot, dof=dof)
+        text += SOLUTIONS.format(robot=robot, dof=dof, counting=counting, representing=representing)
         text += "".join(_solver(header, name, task) for name, taken in targets.items() for task in taken)
     return text

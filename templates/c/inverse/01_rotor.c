@@ -23,3 +23,9 @@ static inline double nearest_whole(double quotient) {
   const double rounds = 1.5 / DBL_EPSILON;
   return (quotient + rounds) - rounds;
 }
+
+/// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
+static inline double without_turns(double difference) {
+  const double turn = constant_whole_turn;
+  return difference - turn * nearest_whole(difference * (1 / turn));
+}

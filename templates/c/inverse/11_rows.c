@@ -260,8 +260,8 @@ static bool stands_for_others(const Solutions* found) {
 }
 
 /// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
-/// first. Without a row the set is incomplete if a free joint may have values inside: none is looked for.
-static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
+/// first. Without a row the set is incomplete if a free joint may have values inside that have not been looked for.
+static void keep_within_limits(Solutions* found, bool has_looked, const double* seed, const double* lower,
                                const double* upper) {
   const Within within = within_limits_near(seed, lower, upper);
   double squares[capacity];
@@ -277,7 +277,7 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
     ++kept;
   }
   const int status = found->status;
-  if (kept == 0 && stands_for_others(found)) found->effort.used_up = 1;
+  if (kept == 0 && !has_looked && stands_for_others(found)) found->effort.used_up = 1;
   found->count = kept;
   sort_rows(found->rows, kept, squares);
   // A row inside the limits may be among those that an incomplete set lacks.

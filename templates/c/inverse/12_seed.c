@@ -195,8 +195,8 @@ static int as_solutions(const Nearest* nearest, Solutions* found) {
 }
 
 /// Puts a solution that is outside limits by rounding on them, and drops one that is outside by more.
-static int keep_near_within(const double* lower, const double* upper, Solutions* found) {
-  for (int i = 0; found->count > 0 && i < whole_dof; ++i) {
+static int keep_near_within(int joints, const double* lower, const double* upper, Solutions* found) {
+  for (int i = 0; found->count > 0 && i < joints; ++i) {
     double* q = &found->rows[0].q[i];
     const double inside = between(lower[i], *q, upper[i]);
     if (!(lower[i] <= upper[i] && fabs(inside - *q) <= limit_tolerance)) {

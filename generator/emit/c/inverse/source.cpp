@@ -150,6 +150,7 @@ json entry(const Argument& argument, Filter filter, const std::string& suffix, c
           {"follows_seed", cpp["follows_seed"]},
           {"looks", cpp["looks"]},
           {"is_early", cpp["is_early"]},
+          {"fits_limits", cpp["fits_limits"]},
           {"pose_lines", lines_of(argument.pose)}};
 }
 

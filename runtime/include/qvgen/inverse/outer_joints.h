@@ -83,6 +83,10 @@ class OuterJoints {
     for (int i = 0; i < inner; ++i) values[i] = q[place(i)];
     return values;
   }
+  /// Limits of the inner arm's joints.
+  [[nodiscard]] JointLimits<inner> inner_limits(const JointLimits<dof>& limits) const {
+    return {inner_of(limits.lower), inner_of(limits.upper)};
+  }
 
  private:
   [[nodiscard]] int place(int i) const { return places_.of[static_cast<std::size_t>(i)]; }

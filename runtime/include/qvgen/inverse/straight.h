@@ -34,7 +34,7 @@ class Straight {
     const Triple<double>& axis = at(i).axis;
     const Triple<double> before = cross(axis, at(i - 1).axis), behind = cross(axis, at(i + 1).axis);
     const double inclined = dot(before, before), also = dot(behind, behind);
-    exists_[i] = inclined > 1e-6 && std::abs(inclined - also) < 1e-6;
+    exists_[i] = inclined > tolerance::inclined && std::abs(inclined - also) < tolerance::inclined;
     value_[i] = exists_[i] ? std::atan2(dot(axis, cross(behind, before)), dot(behind, before)) : 0;
   }
 

@@ -248,6 +248,23 @@ inline constexpr double least_miss = 0.05;
 /// A row of the equations misses the pose by rounding alone, in epsilons.
 inline constexpr double row_rounding = 32;
 
+// Rows at singular poses, brought inside limits along their continua.
+
+/// The square of how far an axis is inclined to the next one; less is a parallel axis, which a turn leaves.
+inline constexpr double inclined = digits(1e-6);
+/// So far outside, rad or m, a joint may be put on its limit while the others follow.
+inline constexpr double pressed = 1e-3;
+/// Farther outside nothing is pressed at a pose that is not nearly singular: rounding moves no joint as far.
+inline constexpr double pressed_by_rounding = digits(1e-7);
+/// Step along a continuum, which bends: rad, or a share of the size.
+inline constexpr double walk_step = 0.1;
+/// The cosine of an angle by which no continuum bends in a step: another one is crossed.
+inline constexpr double walk_turns_off = 0.7;
+/// Limits leave so little of a continuum that its middle is taken.
+inline constexpr double narrow_window = 1e-3;
+/// A joint so slow along a continuum stays where it is.
+inline constexpr double stands_still = digits(1e-9);
+
 // Poses nearby, at which nothing is free.
 
 /// How far off, as a share of the size and in radians: far beyond half the digits, near enough for Newton's
