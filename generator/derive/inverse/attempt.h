@@ -59,6 +59,9 @@ std::string in_plane(Attempt& attempt);
 std::string by_parallel_axes(Attempt& attempt, std::size_t k);
 /// Six joints, three of them slides: the others turn the tool, then the slides are linear equations.
 std::string by_three_slides(Attempt& attempt);
+/// Four joints, two of them slides: the others turn the tool, then the slides are linear equations. The rows
+/// are candidates, as above.
+std::string by_two_slides(Attempt& attempt);
 
 /// All joints, three or one, but joint k and those after it up to `count` bring a point on the axes of these
 /// to where the pose has it.

@@ -64,6 +64,7 @@ Derivation derive_pose_in_order(const Problem& problem) {
     for (const std::size_t k : {1U, 0U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_single_turn(a, k); });
+    methods.emplace_back(by_two_slides);
   } else if (count == 3) {
     methods.emplace_back(in_plane);
   }
