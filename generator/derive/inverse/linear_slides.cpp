@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Arms whose turns are found from the tool's orientation alone: three turns and three slides or two, or two
+// turns and two slides. The slides then are linear equations.
 #include <algorithm>
 #include <array>
 
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/freedom.h"
 #include "derive/inverse/tool_side.h"
 #include "derive/inverse/wrist.h"
 #include "derive/inverse/wrist_axes.h"
@@ -31,13 +34,14 @@ class Slides {
   Slides(Attempt& attempt, Target& target) : attempt_(attempt), target_(target) {
     const auto& screws = attempt.chain.screws;
     for (std::size_t i = 0; i < screws.size(); ++i)
-      if (!screws[i].revolute) slides_[count_++] = {screws[i], i, {}};
+      if (!screws[i].revolute) slides_.push_back({screws[i], i, {}});
     origin_ = best_origin();
   }
 
   void solve() {
     rest_ = keep("rest", seen_from_base(origin_) - seen_from_tool(origin_));
     for (Slide& slide : slides_) slide.direction = keep("along_" + slide.screw.variable, direction(slide));
+    if (slides_.size() == 2) return by_two();
     if (turns_between(slides_[0].place, slides_[2].place) == 0) return by_value();
     if (turns_between(slides_[0].place, slides_[1].place) == 0)
       return beside_pair(slides_[2], slides_[0], slides_[1]);
@@ -129,15 +133,35 @@ class Slides {
 
   /// Two slides span a plane that no turn between them changes: first the other one, out of that plane.
   void beside_pair(const Slide& other, const Slide& one, const Slide& two) {
-    const Vector normal = scope().clean(cross(one.screw.axis, two.screw.axis));
-    const ex square = scope().clean(dot(normal, normal));
-    const Vector n = scope().clean(cross(one.direction, two.direction));
-    by_component(other, n, GiNaC::sqrt(square));
+    by_component(other, scope().clean(cross(one.direction, two.direction)), GiNaC::sqrt(square_of(one, two)));
     subtract(other);
+    pair(one, two);
+  }
+
+  /// Solves two slides that no turn between them changes.
+  void pair(const Slide& one, const Slide& two) {
+    const ex square = square_of(one, two);
+    const Vector n = scope().clean(cross(one.direction, two.direction));
     const Vector across_two = scope().clean(cross(two.direction, n));
     const Vector across_one = scope().clean(cross(n, one.direction));
     attempt_.builder.slide_by_value(one.screw, scope().clean(dot(rest_, across_two)) / square, equation);
     attempt_.builder.slide_by_value(two.screw, scope().clean(dot(rest_, across_one)) / square, equation);
+  }
+
+  /// Returns the squared sine of the angle between two slides with no turn between them.
+  [[nodiscard]] ex square_of(const Slide& one, const Slide& two) const {
+    const Vector normal = scope().clean(cross(one.screw.axis, two.screw.axis));
+    return scope().clean(dot(normal, normal));
+  }
+
+  /// Solves two slides alone. No turn changes the first one's direction, across which the other one is seen.
+  void by_two() {
+    const Slide &first = slides_[0], &last = slides_[1];
+    if (turns_between(first.place, last.place) == 0) return pair(first, last);
+    attempt_.builder.slide_by_line(last.screw, in_frame(first.screw, last.direction, scope()),
+                                   in_frame(first.screw, rest_, scope()), {}, equation);
+    subtract(last);
+    attempt_.builder.slide_by_value(first.screw, scope().clean(dot(rest_, first.screw.axis)), equation);
   }
 
   /// Turns between all of them: across the one in the middle, whose direction is constant, stand the others.
@@ -153,8 +177,7 @@ class Slides {
 
   Attempt& attempt_;
   Target& target_;
-  std::array<Slide, 3> slides_;
-  std::size_t count_ = 0;
+  std::vector<Slide> slides_;
   std::size_t origin_ = 0;
   Vector rest_;
 };
@@ -167,20 +190,56 @@ std::vector<std::size_t> turns_of(const Attempt& attempt) {
   return turns;
 }
 
+/// Turns two joints by the orientation R = e1 e2, which takes axis 2 to where the first turn alone takes it.
+void turn_two(Attempt& attempt, Target& target, const Screw& first, const Screw& second) {
+  Scope& scope = attempt.scope;
+  const auto named = [&](const std::string& name, const Vector& v) {
+    return scope.define(attempt.plan.target, name, scope.clean(v));
+  };
+  const Vector goal = named("goal_axis", target.direction_image(second.axis));
+  const Vector seen = named("seen_axis", target.direction_source(first.axis));
+  attempt.builder.turn_by_pair(first,
+                               in_frame(first, goal, scope) * conjugate(in_frame(first, second.axis, scope)),
+                               "the axis of " + second.variable + " as the pose has it");
+  attempt.builder.turn_by_pair(second,
+                               in_frame(second, first.axis, scope) * conjugate(in_frame(second, seen, scope)),
+                               "the axis of " + first.variable + " as the tool sees it");
+}
+
 }  // namespace
 
-std::string by_three_slides(Attempt& attempt) {
+std::string by_three_turns(Attempt& attempt) {
   const std::vector<std::size_t> turns = turns_of(attempt);
   if (turns.size() != 3)
-    return "not three joints slide: the orientation does not depend on three joints alone";
+    return "not three of the joints turn: the orientation does not depend on three joints alone";
   const auto turning = wrist_axes(attempt, {turns[0], turns[1], turns[2]});
-  if (!turning) return "three joints slide, but the others turn about axes that are parallel or no numbers";
+  if (!turning) return "three joints turn, but about axes that are parallel or no numbers";
   Target target(attempt.builder, attempt.chain.home);
   const auto& [first, middle, last] = turning->axes;
   solve_wrist_of_seed(attempt.builder, first, middle, last, turning->seen(target.orientation()));
   Slides(attempt, target).solve();
   polish_pose(attempt, target);
-  attempt.plan.structure = "three joints turn the tool, and what three slides then have to do is linear";
+  attempt.plan.candidates = attempt.chain.screws.size() < 6;
+  attempt.plan.structure = std::string("three joints turn the tool, and what ") +
+                           (attempt.plan.candidates ? "two" : "three") + " slides then have to do is linear";
+  return "";
+}
+
+std::string by_two_turns(Attempt& attempt) {
+  const std::vector<std::size_t> turns = turns_of(attempt);
+  if (turns.size() != 2 || attempt.chain.screws.size() != 4) return "not two of four joints slide";
+  const auto& screws = attempt.chain.screws;
+  const Screw &first = screws[turns[0]], &second = screws[turns[1]];
+  if (attempt.scope.is_zero(cross(first.axis, second.axis)))
+    return "two joints slide, but the others turn about parallel axes";
+  if (const std::string reason = dependent_joints(attempt, {0, 1, 2, 3}, false); !reason.empty())
+    return reason;
+  Target target(attempt.builder, attempt.chain.home);
+  attempt.plan.candidates = true;
+  turn_two(attempt, target, first, second);
+  Slides(attempt, target).solve();
+  polish_pose(attempt, target);
+  attempt.plan.structure = "two joints turn the tool, and what two slides then have to do is linear";
   return "";
 }
 
