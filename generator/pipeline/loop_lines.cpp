@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/loop_lines.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,14 +22,21 @@ std::string names_of(const model::Mechanism& mechanism, const std::vector<std::s
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Joints that given ones lead, a line each.
+/// Joints that others lead without a step, a line each.
 std::vector<std::string> gear_lines(const model::Mechanism& mechanism,
+                                    const derive::loops::AssemblyPlan& assembly,
                                     const std::vector<derive::loops::Geared>& gears) {
   std::vector<std::string> lines;
   for (const derive::loops::Geared& each : gears) {
+    const auto& steps = assembly.plan.steps;
+    if (std::any_of(steps.begin(), steps.end(), [&](const derive::inverse::Step& step) {
+          return step.joint == static_cast<int>(each.joint);
+        }))
+      continue;
     std::vector<std::size_t> leaders;
     for (const auto& [joint, factor] : each.sum) leaders.push_back(joint);
-    lines.push_back(fmt::format("{}: gears; from {}, 1 value", mechanism.robot.joints[each.joint].variable,
+    lines.push_back(fmt::format("{}: {}; from {}, 1 value", mechanism.robot.joints[each.joint].variable,
+                                assembly.cycles[each.cycle].powers.empty() ? "gears" : "a polynomial",
                                 names_of(mechanism, leaders)));
   }
   return lines;
@@ -69,8 +78,12 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
     to.lines.push_back(fmt::format("loop {} in space: {} by the inverse kinematics of {}", chain.cycle + 1,
                                    names_of(mechanism, chain.held()), chain.chain.name));
   if (!steps) return;
-  for (const std::string& line : gear_lines(mechanism, assembly.geared)) to.lines.push_back("  " + line);
-  for (const std::string& line : step_lines(mechanism.robot, assembly.plan)) to.lines.push_back("  " + line);
+  const auto add = [&](const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) to.lines.push_back("  " + line);
+  };
+  add(gear_lines(mechanism, assembly, assembly.geared));
+  add(step_lines(mechanism.robot, assembly.plan));
+  add(gear_lines(mechanism, assembly, assembly.led));
 }
 
 }  // namespace
