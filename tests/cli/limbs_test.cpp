@@ -28,6 +28,15 @@ TEST_F(CommandLine, ShowsAWholeRobotAsItsTreeAndItsLimbs) {
                   "quad: the base stands still, 6 joints, 2 tips\n"));
 }
 
+/// The coupler's chain has two joints.
+TEST_F(CommandLine, SaysThatOneMotorFollowsNoTwoJoints) {
+  const ToolRun made = run("generate " + four_bar + " --only inverse,assembly --output " + out());
+  EXPECT_TRUE(has(made,
+                  "no inverse_kinematics_of_point: 2 joints lead to the tip (crank, coupler), and one motor "
+                  "cannot follow them one by one; solve `assemble` for values of the motor"))
+      << made.output;
+}
+
 TEST_F(CommandLine, ShowsWhatALimbHasNot) {
   const ToolRun shown = run("show " + hopper + " --workspace");
   EXPECT_EQ(shown.code, 1);
