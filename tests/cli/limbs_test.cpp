@@ -37,6 +37,23 @@ TEST_F(CommandLine, SaysThatOneMotorFollowsNoTwoJoints) {
       << made.output;
 }
 
+TEST_F(CommandLine, ShowsClosedLoopsAsLatex) {
+  const ToolRun shown = run("show " + four_bar + " --latex");
+  EXPECT_EQ(shown.code, 0);
+  for (const std::string part : {"assemble from crank: 2 assemblies at most.", "\\paragraph{",
+                                 "\\begin{align*}", "$\\mathrm{joint}_{1}$ is crank", "\\end{align*}"})
+    EXPECT_TRUE(has(shown, part)) << part << "\n" << shown.output;
+  EXPECT_FALSE(has(shown, "; circle"));
+}
+
+TEST_F(CommandLine, SaysWhatClosedLoopsHaveNot) {
+  for (const std::string option : {"--inverse", "--singularities", "--jacobian"}) {
+    const ToolRun shown = run("show " + four_bar + " " + option);
+    EXPECT_EQ(shown.code, 1);
+    EXPECT_TRUE(has(shown, "four_bar has closed loops, and " + option + " is of arms")) << shown.output;
+  }
+}
+
 TEST_F(CommandLine, ShowsWhatALimbHasNot) {
   const ToolRun shown = run("show " + hopper + " --workspace");
   EXPECT_EQ(shown.code, 1);
