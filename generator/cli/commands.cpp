@@ -206,10 +206,30 @@ int show(const model::Robot& whole, const ShowArguments& arguments) {
   return failure;
 }
 
+/// The option that asks for a formula of arms; empty if there is none.
+std::string option_of_arms(const ShowArguments& arguments) {
+  const std::pair<bool, const char*> options[] = {
+      {arguments.inverse, "--inverse"},     {arguments.singularities, "--singularities"},
+      {arguments.jacobian, "--jacobian"},   {arguments.transform, "--transform"},
+      {arguments.workspace, "--workspace"}, {arguments.dynamics, "--dynamics"},
+      {arguments.structure, "--class"},     {!arguments.dh.empty(), "--dh"}};
+  for (const auto& [is_given, option] : options)
+    if (is_given) return option;
+  return "";
+}
+
 /// The derivation of closed loops, step by step, in a process of its own.
-int show_loops(const model::Mechanism& mechanism) {
+int show_loops(const model::Mechanism& mechanism, const ShowArguments& arguments) {
+  if (const std::string option = option_of_arms(arguments); !option.empty()) {
+    fmt::print(stderr,
+               "qvgen: {} has closed loops, and {} is of arms: without it, show says how the loops are "
+               "assembled\n",
+               mechanism.robot.name, option);
+    return failure;
+  }
   return pipeline::bounded("show " + mechanism.robot.name, {}, [&] {
-    const pipeline::LoopLines loops = pipeline::loop_lines(mechanism, true);
+    const emit::Notation notation = arguments.latex ? emit::Notation::latex : emit::Notation::text;
+    const pipeline::LoopLines loops = pipeline::loop_lines(mechanism, true, notation);
     for (const std::string& line : loops.lines) fmt::print("{}\n", line);
     for (const std::string& problem : loops.problems) fmt::print(stderr, "qvgen: {}\n", problem);
     return static_cast<int>(loops.problems.empty() ? success : failure);
@@ -245,7 +265,7 @@ int show_limbs(const description::ReadResult& result, const ShowArguments& argum
 int run_show(const ShowArguments& arguments) {
   const auto results = read_descriptions({arguments.description}, arguments.read);
   if (!results) return bad_description;
-  if (!results->front().loops.empty()) return show_loops(mechanism_of(results->front()));
+  if (!results->front().loops.empty()) return show_loops(mechanism_of(results->front()), arguments);
   if (!results->front().tips.empty()) return show_limbs(results->front(), arguments);
   const auto robots = robots_of(*results);
   if (!robots) return bad_description;

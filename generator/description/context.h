@@ -45,6 +45,7 @@ struct Follower {
   model::Expression offset;
   Place place;
   bool may_be_alone = false;  ///< without its leaders it is free, with a warning
+  model::Powers powers = {};  ///< of the only leader
 };
 
 /// Shared state of the readers of one file's parts: the text, the mistakes so far, the names met so far.

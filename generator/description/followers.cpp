@@ -97,6 +97,11 @@ class Ties {
 
   void tie(const Follower& follower) {
     if (follower.may_be_alone && is_alone(follower)) return;
+    if (!follower.powers.empty())
+      return context_.error(follower.place,
+                            "'" + names_[follower.joint] + "' follows by powers of '" +
+                                follower.leaders.front().variable + "', and joints of one chain follow sums",
+                            "read the whole robot, in which such a joint has a value of its own");
     model::Joint& joint = robot_.joints[follower.joint];
     std::vector<Leader> leaders;
     for (const model::Lead& lead : follower.leaders) {
@@ -121,7 +126,7 @@ class Ties {
   /// The relation of a joint that keeps a value of its own; nothing where it is reported.
   std::optional<model::Gear> gear(const Follower& follower) {
     if (follower.may_be_alone && is_alone(follower)) return std::nullopt;
-    model::Gear gear{follower.joint, {}, follower.offset};
+    model::Gear gear{follower.joint, {}, follower.offset, follower.powers};
     std::vector<Leader> leaders;
     for (const model::Lead& lead : follower.leaders) {
       const auto leader = leader_of(follower, lead.variable);
@@ -130,7 +135,7 @@ class Ties {
       gear.leaders.emplace_back(std::find(names_.begin(), names_.end(), lead.variable) - names_.begin(),
                                 lead.ratio);
     }
-    if (leaders.size() == 1)
+    if (leaders.size() == 1 && follower.powers.empty())
       hand_on_limits(context_, follower, robot_.joints[follower.joint], leaders.front());
     return gear;
   }
@@ -233,7 +238,7 @@ Follower plain_follower(const Table& table, const std::string& leader, model::Jo
           table.place_of("follows")};
 }
 
-bool is_name(const std::string& text) { return text.find_first_of(" +-*/()\t") == std::string::npos; }
+bool is_name(const std::string& text) { return text.find_first_of(" +-*/^()\t") == std::string::npos; }
 
 /// A relation, which has factors and constant itself.
 void read_sum(const Table& table, const std::string& text, model::JointType type) {
@@ -244,9 +249,12 @@ void read_sum(const Table& table, const std::string& text, model::JointType type
                     "write it in the sum, e.g. follows = \"1/2 ml + 1/2 mr + 10 deg\"");
   const auto relation = read_relation(context, text, table.place_of("follows"));
   if (!relation) return;
+  if (!relation->powers.empty() && (context.units.degrees || context.units.length != 1))
+    context.error(table.place_of("follows"), "factors of powers are for radians and metres",
+                  "leave 'angle_unit' and 'length_unit' out, and write units, e.g. 10 deg");
   const Entry offset = offset_of(table, relation->constant, type);
-  context.followers.push_back(
-      {context.joint_places.size() - 1, relation->leaders, offset.value, table.place_of("follows")});
+  context.followers.push_back({context.joint_places.size() - 1, relation->leaders, offset.value,
+                               table.place_of("follows"), false, relation->powers});
 }
 
 }  // namespace
@@ -284,6 +292,20 @@ std::vector<model::Gear> gears_of(Context& context, const std::vector<std::strin
   for (const Follower& follower : context.followers)
     if (const auto gear = ties.gear(follower)) gears.push_back(*gear);
   return gears;
+}
+
+bool follow_powers(const Context& context) {
+  return std::any_of(context.followers.begin(), context.followers.end(),
+                     [](const Follower& follower) { return !follower.powers.empty(); });
+}
+
+void drive_leaders(model::Mechanism& mechanism) {
+  model::Loops& loops = mechanism.loops;
+  if (!loops.closures.empty()) return;
+  for (std::size_t i = 0; i < mechanism.robot.joints.size(); ++i)
+    if (std::none_of(loops.gears.begin(), loops.gears.end(),
+                     [&](const model::Gear& gear) { return gear.joint == i; }))
+      loops.actuated.push_back(i);
 }
 
 void make_motors_joints(Context& context, model::Robot& robot) {

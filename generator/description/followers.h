@@ -2,7 +2,7 @@
 #pragma once
 
 #include "description/document.h"
-#include "model/loops.h"
+#include "model/mechanism.h"
 
 namespace qvgen::description {
 
@@ -21,6 +21,12 @@ void tie_followers(Context& context, const std::vector<std::string>& names, mode
 /// as loops need them. Limits go to an only leader likewise; mistakes are reported.
 std::vector<model::Gear> gears_of(Context& context, const std::vector<std::string>& names,
                                   model::Robot& robot);
+
+/// True if a joint that the context has met follows by powers of another: then each has a value of its own.
+bool follow_powers(const Context& context);
+
+/// Names the joints that follow none as driven ones, if no closures hold joints.
+void drive_leaders(model::Mechanism& mechanism);
 
 /// Makes motors joints behind the others, which carry nothing: so a mechanism with loops has them.
 void make_motors_joints(Context& context, model::Robot& robot);

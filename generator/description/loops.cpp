@@ -241,7 +241,9 @@ void refuse_beside_loops(const Table& root) {
   Context& context = root.context();
   for (const char* key : {"task", "tool_axis", "given", "ideal"})
     if (root.has(key))
-      context.error(root.key_place(key), "'" + std::string(key) + "' beside [[loop]]",
+      context.error(root.key_place(key),
+                    "'" + std::string(key) + "' beside " +
+                        (root.has("loop") ? "[[loop]]" : "a joint that follows by powers of another"),
                     "it belongs to a chain; name the platform's joints by outputs = [...]");
 }
 
@@ -258,7 +260,7 @@ std::vector<Table> loop_tables(const Table& root) {
 void read_loops(const Table& root, model::Mechanism& mechanism) {
   Context& context = root.context();
   model::Loops& loops = mechanism.loops;
-  if (!root.has("loop")) {
+  if (!root.has("loop") && !follow_powers(context)) {
     for (const char* key : {"actuated", "outputs"})
       if (root.has(key))
         context.error(root.key_place(key), "'" + std::string(key) + "' without [[loop]]",
@@ -276,6 +278,7 @@ void read_loops(const Table& root, model::Mechanism& mechanism) {
   for (const model::Joint& joint : mechanism.robot.joints) names.joints.push_back(joint.variable);
   loops.gears = gears_of(context, names.joints, mechanism.robot);
   loops.actuated = read_joint_list(root, "actuated", names);
+  if (loops.actuated.empty()) drive_leaders(mechanism);
   loops.outputs = read_joint_list(root, "outputs", names);
 }
 

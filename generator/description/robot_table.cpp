@@ -142,7 +142,7 @@ model::Mechanism read_robot(const Table& root) {
   read_motors(root, free, robot);
   read_named_frames(root, robot);
   mechanism.tips = read_tips(root, robot);
-  if (!root.has("loop")) tie_followers(context, variables_of(robot), robot);
+  if (!root.has("loop") && !follow_powers(context)) tie_followers(context, variables_of(robot), robot);
   read_loops(root, mechanism);
   read_request(root, robot);
   resolve_symbols(root, robot);

@@ -129,13 +129,15 @@ std::string limits_text(const Moving& joint) {
   return result;
 }
 
-/// `offset`: a constant that does not stand in the joint's frame.
-std::string follows_text(const model::Joint& joint, const Expression& offset = {}) {
+/// `gear`: a constant that does not stand in the joint's frame, and powers.
+std::string follows_text(const model::Joint& joint, const model::Gear& gear = {}) {
   if (joint.follows.empty()) return "";
+  const Expression& offset = gear.offset;
   const bool is_zero = offset.is_literal_zero();
-  if (joint.follows.size() > 1)
+  if (joint.follows.size() > 1 || !gear.powers.empty())
     return "follows = " +
-           quoted(model::relation_text(joint.follows) + (is_zero ? "" : " + (" + to_string(offset) + ")")) +
+           quoted(model::relation_text(joint.follows, gear.powers) +
+                  (is_zero ? "" : " + (" + to_string(offset) + ")")) +
            "\n";
   const auto& [leader, ratio] = joint.follows.front();
   const bool turns = joint.type == model::JointType::revolute;
@@ -160,12 +162,12 @@ std::string drive_text(const model::Drive& drive) {
          entry("coulomb_friction", drive.coulomb_friction);
 }
 
-std::string joint_text(const model::Robot& robot, const model::Joint& joint, const Expression& offset) {
+std::string joint_text(const model::Robot& robot, const model::Joint& joint, const model::Gear& gear) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
   result += "axis = " + quoted_axis(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
-            parent_text(robot, joint) + follows_text(joint, offset);
+            parent_text(robot, joint) + follows_text(joint, gear);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
     result += "link = " + list(joint.after.translation) + "\n";
@@ -213,10 +215,11 @@ std::string request_text(const model::Robot& robot) {
 
 namespace {
 
-Expression offset_of(std::size_t joint, const std::vector<model::Gear>& gears) {
+/// The gear of a joint that follows others; an empty one if there is none.
+model::Gear gear_of(std::size_t joint, const std::vector<model::Gear>& gears) {
   const auto of_joint = [&](const model::Gear& gear) { return gear.joint == joint; };
   const auto found = std::find_if(gears.begin(), gears.end(), of_joint);
-  return found == gears.end() ? Expression() : found->offset;
+  return found == gears.end() ? model::Gear() : *found;
 }
 
 /// The description of a robot; `keys` stand in front of all tables. The offsets of `gears` stand in no
@@ -231,7 +234,7 @@ std::string text_of(const model::Robot& robot, const std::string& keys,
   result += keys + request_text(robot) + parameters_text(robot);
   result += table("base", robot.base) + table("tool", robot.tool) + floating_base_text(robot);
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    result += joint_text(robot, robot.joints[i], offset_of(i, gears));
+    result += joint_text(robot, robot.joints[i], gear_of(i, gears));
   for (const model::Motor& motor : robot.motors) result += motor_text(motor);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");
   return result;

@@ -136,12 +136,32 @@ std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& 
   return rows;
 }
 
-std::string relation_text(const Follows& follows) {
+namespace {
+
+/// The sign before a term of a sum, of which there may be terms already.
+std::string sign_of(const cln::cl_RA& factor, bool is_first) {
+  return cln::minusp(factor) ? (is_first ? "-" : " - ") : (is_first ? "" : " + ");
+}
+
+/// The factor before a term, and what ties it to that; nothing for 1.
+std::string size_of(const cln::cl_RA& factor, const std::string& tie) {
+  const cln::cl_RA size = cln::abs(factor);
+  return size == 1 ? "" : to_string(Expression(size)) + tie;
+}
+
+}  // namespace
+
+std::string relation_text(const Follows& follows, const Powers& powers) {
   std::string text;
-  for (const auto& [variable, ratio] : follows) {
-    const cln::cl_RA size = cln::abs(ratio);
-    text += cln::minusp(ratio) ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
-    text += (size == 1 ? "" : to_string(Expression(size)) + " ") + variable;
+  for (const auto& [variable, ratio] : follows)
+    if (!cln::zerop(ratio)) text += sign_of(ratio, text.empty()) + size_of(ratio, " ") + variable;
+  for (std::size_t i = 0; i < powers.factors.size(); ++i) {
+    const cln::cl_RA& factor = powers.factors[i];
+    if (cln::zerop(factor)) continue;
+    const std::string& leader = follows.front().variable;
+    text += sign_of(factor, text.empty()) + size_of(factor, "*") +
+            (powers.from.is_literal_zero() ? leader : "(" + leader + " - (" + to_string(powers.from) + "))") +
+            "^" + std::to_string(i + 2);
   }
   return text;
 }

@@ -38,8 +38,8 @@ bool has_independent_motors(const Robot& robot);
 /// values. Where joints are more than motors it is one of A's left inverses, by joints that few motors move.
 std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& robot);
 
-/// Returns a relation as a description has it: "1/2 ml - 1/2 mr".
-std::string relation_text(const Follows& follows);
+/// Returns a relation as a description has it: "1/2 ml - 1/2 mr", "1/2 ml + 1/5*(ml - 1/10)^2".
+std::string relation_text(const Follows& follows, const Powers& powers = {});
 
 /// Returns the robot with a motor for each joint: none follows another.
 Robot in_joints(const Robot& robot);

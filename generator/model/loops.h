@@ -33,21 +33,24 @@ struct Loop {
   std::optional<std::size_t> length_joint = {};  ///< slide whose value is the length of a rod
 };
 
-/// Joints that move together: the value of one is a constant and the sum of others, each times its factor.
+/// Joints that move together: the value of one is a constant and the sum of others, each times its factor. It
+/// may be a polynomial of one leader, whose factor in the sum may then be 0.
 struct Gear {
   std::size_t joint = 0;
   std::vector<std::pair<std::size_t, cln::cl_RA>> leaders = {};
   Expression offset = {};  ///< rad or m
+  Powers powers = {};      ///< of the only leader
 };
 
-/// All closures of a mechanism, with the joints that are driven.
+/// All closures of a mechanism, with the joints that are driven. Joints that follow by polynomials make a
+/// mechanism without closures one of these.
 struct Loops {
   std::vector<Loop> closures = {};         ///< in the order of the file
   std::vector<Gear> gears = {};            ///< of joints that follow others: among loops each has a value
   std::vector<std::size_t> actuated = {};  ///< joints with motors; the others are passive
   std::vector<std::size_t> outputs = {};   ///< joints that say where a platform is; may be empty
 
-  [[nodiscard]] bool empty() const { return closures.empty(); }
+  [[nodiscard]] bool empty() const { return closures.empty() && gears.empty(); }
 };
 
 }  // namespace qvgen::model

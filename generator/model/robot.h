@@ -60,6 +60,15 @@ struct Lead {
 /// the joint's frame.
 using Follows = std::vector<Lead>;
 
+/// Higher powers in the relation of a joint to its only leader: the sum of factors[i] (value - from)^(i + 2).
+/// Only joints of mechanisms with loops have them, where each has a value of its own (Gear).
+struct Powers {
+  std::vector<cln::cl_RA> factors = {};  ///< of the second power, the third, ...; the last is not zero
+  Expression from = {};                  ///< a number, rad or m
+
+  [[nodiscard]] bool empty() const { return factors.empty(); }
+};
+
 // The special members of Joint, Motor and Robot are compiled once (robot.cpp): a hundred files copy robots.
 
 /// One joint with the link that it moves: link frame(i) = link frame(i-1) * before * motion * after,

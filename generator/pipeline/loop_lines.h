@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/math/notation.h"
 #include "model/mechanism.h"
 
 namespace qvgen::pipeline {
@@ -14,7 +15,9 @@ struct LoopLines {
   std::vector<std::string> problems;  ///< without which nothing would be generated
 };
 
-/// Counts freedoms and derives the assemblies. `steps`: with each equation, a line a step.
-LoopLines loop_lines(const model::Mechanism& mechanism, bool steps);
+/// Counts freedoms and derives the assemblies. `steps`: with each equation, a line a step, or in LaTeX with
+/// its formulas.
+LoopLines loop_lines(const model::Mechanism& mechanism, bool steps,
+                     emit::Notation notation = emit::Notation::text);
 
 }  // namespace qvgen::pipeline

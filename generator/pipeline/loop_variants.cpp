@@ -32,6 +32,20 @@ std::string lack_of_solutions(const RobotOutput& limb) {
   return missing == limb.missing.end() ? "" : "the limb has none: " + missing->reason;
 }
 
+/// Says why a limb's joints do not lead to the motors: where these are fewer, they move the joints together.
+std::string lack_of_assemblies(const model::Mechanism& mechanism, const PlannedVariant& planned) {
+  const std::size_t motors = mechanism.loops.actuated.size(), joints = planned.variant.given.size();
+  if (joints <= motors) return fmt::format("{}", fmt::join(planned.assembly.reasons, "; "));
+  std::vector<std::string> names;
+  for (const std::size_t joint : planned.variant.given)
+    names.push_back(mechanism.robot.joints[joint].variable);
+  return fmt::format(
+      "{} joints lead to the tip ({}), and {} cannot follow them one by one; solve `assemble` for "
+      "values of the {}",
+      joints, fmt::join(names, ", "), motors == 1 ? "one motor" : fmt::format("{} motors", motors),
+      motors == 1 ? "motor" : "motors");
+}
+
 }  // namespace
 
 bool solves_poses(const RobotOutput& robot) {
@@ -68,7 +82,7 @@ LimbInverse limb_inverse(const model::Mechanism& mechanism, std::size_t tip, con
   const auto given_of = [](const PlannedVariant& each) { return each.variant.given; };
   const auto found = with_given(plans, given_of, joints_of(mechanism, tip));
   if (found == plans.end()) return {};
-  if (!found->assembly.found) return {"", "", fmt::format("{}", fmt::join(found->assembly.reasons, "; "))};
+  if (!found->assembly.found) return {"", "", lack_of_assemblies(mechanism, *found)};
   return {found->variant.function, found->variant.type, "", found->variant.space,
           found->assembly.has_gears()};
 }

@@ -28,6 +28,32 @@ TEST_F(CommandLine, ShowsAWholeRobotAsItsTreeAndItsLimbs) {
                   "quad: the base stands still, 6 joints, 2 tips\n"));
 }
 
+/// The coupler's chain has two joints.
+TEST_F(CommandLine, SaysThatOneMotorFollowsNoTwoJoints) {
+  const ToolRun made = run("generate " + four_bar + " --only inverse,assembly --output " + out());
+  EXPECT_TRUE(has(made,
+                  "no inverse_kinematics_of_point: 2 joints lead to the tip (crank, coupler), and one motor "
+                  "cannot follow them one by one; solve `assemble` for values of the motor"))
+      << made.output;
+}
+
+TEST_F(CommandLine, ShowsClosedLoopsAsLatex) {
+  const ToolRun shown = run("show " + four_bar + " --latex");
+  EXPECT_EQ(shown.code, 0);
+  for (const std::string part : {"assemble from crank: 2 assemblies at most.", "\\paragraph{",
+                                 "\\begin{align*}", "$\\mathrm{joint}_{1}$ is crank", "\\end{align*}"})
+    EXPECT_TRUE(has(shown, part)) << part << "\n" << shown.output;
+  EXPECT_FALSE(has(shown, "; circle"));
+}
+
+TEST_F(CommandLine, SaysWhatClosedLoopsHaveNot) {
+  for (const std::string option : {"--inverse", "--singularities", "--jacobian"}) {
+    const ToolRun shown = run("show " + four_bar + " " + option);
+    EXPECT_EQ(shown.code, 1);
+    EXPECT_TRUE(has(shown, "four_bar has closed loops, and " + option + " is of arms")) << shown.output;
+  }
+}
+
 TEST_F(CommandLine, ShowsWhatALimbHasNot) {
   const ToolRun shown = run("show " + hopper + " --workspace");
   EXPECT_EQ(shown.code, 1);

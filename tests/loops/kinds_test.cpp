@@ -2,6 +2,9 @@
 // Mechanisms whose loops close in several ways that differ: a scissor whose bars lie on each other moves more
 // than one that stands, a third bar leaves one of a parallelogram's two, and a cylinder has no length below
 // zero though its loop closes there, too.
+#include <fstream>
+#include <iterator>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +13,9 @@
 #include "derive/inverse/lower.h"
 #include "derive/loops/assembly_plan.h"
 #include "description/reader.h"
+#include "standing_functions.h"
 #include "verify/loops/certify_loops.h"
+#include "verify/loops/driven.h"
 #include "verify/loops/mobility.h"
 
 namespace qvgen::test::loop_kinds {
@@ -40,18 +45,37 @@ TEST(Kinds, AScissorsFootMovesAllBarsAlthoughTheyTurnByThemselvesWhereFeetMeet) 
   expect_certificate(mechanism);
 }
 
-/// Both stages open upwards or downwards.
+/// Without named motors the bars on each other, which two motors would turn, are not taken for the scissor.
+TEST(Kinds, AScissorWithoutMotorsHasOneFreedom) {
+  std::ifstream file(scissor);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::string driven = "actuated = [\"foot\"]\n";
+  text.erase(text.find(driven), driven.size());
+  const auto mechanism = mechanism_of(description::read_text(text, "scissor.toml"));
+  ASSERT_TRUE(mechanism.loops.actuated.empty());
+  EXPECT_EQ(verify::mobility_of(mechanism).free, 1);
+  const auto found = verify::driven_choices(mechanism);
+  EXPECT_EQ(found.free, 1U);
+  EXPECT_EQ(found.choices, (std::vector<std::vector<std::size_t>>{{0}, {1}, {2}, {3}, {4}}));
+}
+
+/// Both stages open upwards or downwards, and move as multipliers say.
 TEST(Kinds, AScissorThatStandsHasFourAssemblies) {
   const loops::Folder folder;
   const std::filesystem::path file = folder.path / "scissor.toml";
   std::filesystem::copy(scissor, file);
   const reference::LoopMechanism of = reference::load_loops(file);
   const loops::Compiled compiled(file, "dynamics,assembly");
+  const loops::StandingFunctions functions(compiled, "scissor", of);
   for (double foot = -0.95; foot < 1; foot += 0.2) {
     const Eigen::VectorXd given = Eigen::VectorXd::Constant(1, foot);
     const loops::Set set = compiled.solve("scissor_assemble", given, 5);
     loops::expect_closed(of, set);
     EXPECT_EQ(set.rows.size(), 4U) << foot;
+    for (const loops::Row& row : set.rows) {
+      EXPECT_GT(functions.drive_measure(row.q), 1e-3);
+      loops::expect_motion_laws(functions, of, row.q, 1);
+    }
     const Eigen::VectorXd q = loops::with_values(of, of.driven, given);
     for (const Eigen::VectorXd& other : reference::assemblies(of, q, of.driven, 60, 1))
       EXPECT_TRUE(loops::has(of, set, other, 1e-6)) << other.transpose();

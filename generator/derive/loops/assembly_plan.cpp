@@ -31,19 +31,20 @@ std::vector<std::size_t> others(std::size_t count, const std::vector<std::size_t
   return rest;
 }
 
+/// The names of a joint's value.
+inverse::JointValue value_of(const model::Joint& joint) {
+  if (joint.type == model::JointType::prismatic) return {false, joint.variable, ""};
+  return {true, names::cosine(joint.variable), names::sine(joint.variable)};
+}
+
 /// Puts the values of a given joint into the plan's target, under the names that steps read.
 void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::size_t joint) {
   const std::string& variable = robot.joints[joint].variable;
-  const bool turns = robot.joints[joint].type == model::JointType::revolute;
-  plan.joints[joint] = {turns, turns ? names::cosine(variable) : variable,
-                        turns ? names::sine(variable) : ""};
-  if (turns) {
-    const inverse::Scope::Turn turn = scope.turn(variable);
-    plan.target.output(names::cosine(variable), turn.cosine);
-    plan.target.output(names::sine(variable), turn.sine);
-  } else {
-    plan.target.output(variable, scope.length(variable));
-  }
+  plan.joints[joint] = value_of(robot.joints[joint]);
+  if (!plan.joints[joint].revolute) return plan.target.output(variable, scope.length(variable));
+  const inverse::Scope::Turn turn = scope.turn(variable);
+  plan.target.output(names::cosine(variable), turn.cosine);
+  plan.target.output(names::sine(variable), turn.sine);
 }
 
 /// Names of joints as the description has them, in a text of the derivation.
@@ -80,7 +81,7 @@ class Search {
     }
     for (const std::size_t i : open_) add_reason(why_open(i), i);
     for (const std::size_t joint : assembly_.passive)
-      if (!is_on_a_loop(joint))
+      if (equations_with(assembly_.cycles, joint) == 0)
         assembly_.reasons.push_back("joint " + described_[joint] +
                                     " is on no loop and is not driven; name it in `actuated`");
     assembly_.found = assembly_.reasons.empty();
@@ -89,13 +90,6 @@ class Search {
  private:
   [[nodiscard]] const Cycle& cycle(std::size_t i) const { return assembly_.cycles[i]; }
   [[nodiscard]] std::size_t unknowns(std::size_t i) const { return solver_.unknown(cycle(i)).size(); }
-
-  [[nodiscard]] bool is_on_a_loop(std::size_t joint) const {
-    return std::any_of(assembly_.cycles.begin(), assembly_.cycles.end(), [&](const Cycle& each) {
-      const auto joints = each.joints();
-      return std::find(joints.begin(), joints.end(), joint) != joints.end();
-    });
-  }
 
   /// A reason that another loop has, too, is said once.
   void add_reason(const std::string& reason, std::size_t loop) {
@@ -144,8 +138,13 @@ class Search {
 
   /// Finds the one open joint of a gear; returns why that is not possible.
   std::string lead(std::size_t i) {
-    const Geared geared = solved_for(assembly_.cycles, i, solver_.unknown(cycle(i)).front());
-    const std::string problem = solver_.gear(cycle(i), geared);
+    const std::size_t open = solver_.unknown(cycle(i)).front();
+    if (leads_by_powers(cycle(i), open)) return solver_.no_root(cycle(i));
+    const Geared geared = solved_for(assembly_.cycles, i, open);
+    const bool is_needed = equations_with(assembly_.cycles, open) > 1;
+    const std::string problem = solver_.gear(cycle(i), geared, is_needed);
+    if (!cycle(i).powers.empty() && !is_needed)
+      assembly_.plan.joints[open] = value_of(assembly_.robot.joints[open]);
     if (problem.empty()) assembly_.led.push_back(geared);
     return problem;
   }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "derive/inverse/names.h"
+#include "derive/loops/gears.h"
 #include "derive/loops/in_space.h"
 #include "derive/loops/rods.h"
 #include "symbolic/model.h"
@@ -26,6 +27,8 @@ class Equations {
       ex sum = -cycle.offset;
       for (const auto& [joint, factor] : cycle.gear)
         sum += GiNaC::numeric(factor) * symbol(robot_.joints[joint].variable);
+      if (!cycle.powers.empty())
+        sum -= powers_at(cycle, symbol(robot_.joints[cycle.gear.back().first].variable));
       return {sum};
     }
     const Carrier carrier{robot_, [this](std::size_t joint) { return value(joint); }};

@@ -158,6 +158,8 @@ Cycle cycle_of(const model::Robot& described, const model::Gear& gear, const Pri
   cycle.gear = {{gear.joint, 1}};
   for (const auto& [leader, ratio] : gear.leaders) cycle.gear.emplace_back(leader, -ratio);
   cycle.offset = names.of(with_named_number(gear.offset));
+  cycle.powers = gear.powers.factors;
+  cycle.powers_from = names.of(with_named_number(gear.powers.from));
   const model::Joint& joint = described.joints[gear.joint];
   if (joint.type == model::JointType::prismatic) return cycle;
   if (!model::symbols(gear.offset).empty())
@@ -204,6 +206,13 @@ std::vector<std::size_t> Cycle::joints() const {
   for (const auto& [joint, factor] : gear) all.push_back(joint);
   std::sort(all.begin(), all.end());
   return all;
+}
+
+std::ptrdiff_t equations_with(const std::vector<Cycle>& cycles, std::size_t joint) {
+  return std::count_if(cycles.begin(), cycles.end(), [&](const Cycle& each) {
+    const auto joints = each.joints();
+    return std::find(joints.begin(), joints.end(), joint) != joints.end();
+  });
 }
 
 std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Robot& robot,

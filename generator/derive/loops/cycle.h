@@ -37,6 +37,10 @@ struct Cycle {
   /// Joints that gears tie: their values, each times its factor, sum up to the offset.
   std::vector<std::pair<std::size_t, cln::cl_RA>> gear = {};
   GiNaC::ex offset = 0;  ///< rad or m; the `turn` of an angle is about z by it
+  /// Factors of the second power of the only leader's value less `powers_from`, of the third, and so on. The
+  /// joint of `gear` that comes first follows, and the second leads.
+  std::vector<cln::cl_RA> powers = {};
+  GiNaC::ex powers_from = 0;  ///< rad or m
 
   /// Joints of both sides and that of the length, sorted.
   [[nodiscard]] std::vector<std::size_t> joints() const;
@@ -44,6 +48,9 @@ struct Cycle {
 
 /// Returns how many equations a closure is.
 std::size_t rows_of(const Cycle& cycle);
+
+/// Returns how many closures and gears have a joint.
+std::ptrdiff_t equations_with(const std::vector<Cycle>& cycles, std::size_t joint);
 
 /// Returns two directions across a vector, at right angles to each other and of its length: coordinate axes
 /// where the vector is one.

@@ -24,6 +24,17 @@ std::optional<int> whole(const cln::cl_RA& factor) {
 
 }  // namespace
 
+ex powers_at(const Cycle& gear, const ex& leader) {
+  ex sum = 0;
+  for (std::size_t i = 0; i < gear.powers.size(); ++i)
+    sum += GiNaC::numeric(gear.powers[i]) * GiNaC::pow(leader - gear.powers_from, static_cast<int>(i) + 2);
+  return sum;
+}
+
+bool leads_by_powers(const Cycle& gear, std::size_t joint) {
+  return !gear.powers.empty() && gear.gear.front().first != joint;
+}
+
 Geared solved_for(const std::vector<Cycle>& cycles, std::size_t index, std::size_t joint) {
   const auto& gear = cycles[index].gear;
   const auto own =
@@ -45,7 +56,9 @@ std::vector<Geared> geared_by(const std::vector<Cycle>& cycles, const std::vecto
     for (std::size_t i = 0; i < cycles.size(); ++i) {
       const auto& gear = cycles[i].gear;
       if (std::count_if(gear.begin(), gear.end(), is_open) != 1) continue;
-      all.push_back(solved_for(cycles, i, std::find_if(gear.begin(), gear.end(), is_open)->first));
+      const std::size_t joint = std::find_if(gear.begin(), gear.end(), is_open)->first;
+      if (leads_by_powers(cycles[i], joint)) continue;
+      all.push_back(solved_for(cycles, i, joint));
       known.push_back(all.back().joint);
       found = true;
     }
@@ -56,8 +69,10 @@ std::vector<Geared> geared_by(const std::vector<Cycle>& cycles, const std::vecto
 symbolic::Program program_of(const Geared& geared, const model::Robot& robot,
                              const std::vector<Cycle>& cycles) {
   ex value = GiNaC::numeric(geared.constant) * cycles[geared.cycle].offset;
-  for (const auto& [joint, factor] : geared.sum)
-    value += GiNaC::numeric(factor) * symbolic::symbol(robot.joints[joint].variable);
+  const auto value_of = [&](std::size_t joint) { return symbolic::symbol(robot.joints[joint].variable); };
+  for (const auto& [joint, factor] : geared.sum) value += GiNaC::numeric(factor) * value_of(joint);
+  if (!cycles[geared.cycle].powers.empty())
+    value += powers_at(cycles[geared.cycle], value_of(geared.sum.front().first));
   symbolic::Program program;
   program.output("value", value);
   return program;
@@ -95,6 +110,8 @@ std::string Solver::slide_by_gear(const Cycle& cycle, const Geared& gear) {
     if (turns(joint)) return no_whole_turns(robot_.joints[gear.joint].variable, gear);
     value += GiNaC::numeric(factor) * builder_.value(screw_of(joint)).cosine;
   }
+  if (!cycle.powers.empty())
+    value += powers_at(cycle, builder_.value(screw_of(gear.sum.front().first)).cosine);
   builder_.slide_by_value(screw_of(gear.joint), value, "the gears of " + robot_.joints[gear.joint].variable);
   return "";
 }
@@ -107,8 +124,25 @@ std::string Solver::no_whole_turns(const std::string& variable, const Geared& ge
          ", which loops do not tell; drive what leads";
 }
 
-std::string Solver::gear(const Cycle& cycle, const Geared& gear) {
-  const std::string problem = turns(gear.joint) ? turn_by_gear(cycle, gear) : slide_by_gear(cycle, gear);
+std::string Solver::no_powers(const Cycle& cycle) const {
+  const std::string follower = robot_.joints[cycle.gear.front().first].variable,
+                    leader = robot_.joints[cycle.gear.back().first].variable;
+  return "the value of " + follower + " is a polynomial of " + leader +
+         ", which the steps of a loop do not take; drive " + leader;
+}
+
+std::string Solver::no_root(const Cycle& cycle) const {
+  const std::string leader = robot_.joints[cycle.gear.back().first].variable;
+  return "the value of " + leader + " would be a root of the polynomial by which " +
+         robot_.joints[cycle.gear.front().first].variable + " follows it; drive " + leader;
+}
+
+std::string Solver::gear(const Cycle& cycle, const Geared& gear, bool is_needed) {
+  std::string problem;
+  if (!cycle.powers.empty() && is_needed && (turns(gear.joint) || turns(gear.sum.front().first)))
+    problem = no_powers(cycle);
+  else if (cycle.powers.empty() || is_needed)
+    problem = turns(gear.joint) ? turn_by_gear(cycle, gear) : slide_by_gear(cycle, gear);
   if (problem.empty()) know(gear.joint);
   return problem;
 }

@@ -38,8 +38,10 @@ class Solver {
   /// Three distances to points of one link that three slides at right angles carry.
   std::string three_spheres(const std::vector<const Cycle*>& cycles);
 
-  /// Values that sum up, for the one unknown joint.
-  std::string gear(const Cycle& cycle, const Geared& gear);
+  /// Values that sum up, for the one unknown joint. `is_needed`: by other equations, too.
+  std::string gear(const Cycle& cycle, const Geared& gear, bool is_needed);
+  /// Says that a joint that leads by a polynomial is not found by that.
+  [[nodiscard]] std::string no_root(const Cycle& cycle) const;
 
   /// Two links of a plane that are one, for three unknown joints.
   std::string weld(const Cycle& cycle);
@@ -96,6 +98,7 @@ class Solver {
   std::string turn_by_gear(const Cycle& cycle, const Geared& gear);
   std::string slide_by_gear(const Cycle& cycle, const Geared& gear);
   [[nodiscard]] std::string no_whole_turns(const std::string& variable, const Geared& gear) const;
+  [[nodiscard]] std::string no_powers(const Cycle& cycle) const;
 
   /// Finds a turn by the direction that both links of a weld or a slide have.
   void turn_by_direction(const Cycle& cycle, const Place& at);

@@ -110,12 +110,13 @@ void close_loops(Context& context, const std::vector<Node>& nodes, TreeReader& r
   Closing closing(context, nodes, reader, mechanism.robot);
   for (const Closure& closure : closures)
     if (const auto loop = closing.loop_of(closure)) mechanism.loops.closures.push_back(*loop);
-  if (mechanism.loops.empty()) return;
+  if (mechanism.loops.empty() && !follow_powers(context)) return;
   const std::size_t joints = mechanism.robot.joints.size();
   mechanism.loops.gears = reader.gears(mechanism.robot);
   mechanism.loops.actuated = closing.joints_of(loops.actuated, loops.may_lack);
   for (std::size_t motor = joints; loops.may_lack && motor < mechanism.robot.joints.size(); ++motor)
     mechanism.loops.actuated.push_back(motor);
+  if (mechanism.loops.actuated.empty()) drive_leaders(mechanism);
   mechanism.loops.outputs = closing.joints_of(loops.outputs, false);
 }
 

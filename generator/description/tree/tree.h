@@ -30,6 +30,7 @@ struct Mimic {
   Place place;
   bool may_be_alone = false;             ///< the joint is free in a chain without its leaders
   std::vector<TendonMotor> motors = {};  ///< those of the leaders that are no joints
+  model::Powers powers = {};             ///< of the only leader
 };
 
 struct MovingJoint {

@@ -108,7 +108,8 @@ void TreeReader::add_joint(const Segment& segment, const Standing& before, model
 void TreeReader::note_mimic(const MovingJoint& joint, std::size_t index) {
   names_.push_back(joint.name);
   if (const auto& mimic = joint.mimic)
-    context_->followers.push_back({index, mimic->leaders, mimic->offset, mimic->place, mimic->may_be_alone});
+    context_->followers.push_back(
+        {index, mimic->leaders, mimic->offset, mimic->place, mimic->may_be_alone, mimic->powers});
   if (joint.mimic && !joint.mimic->motors.empty()) motors_[index] = joint.mimic->motors;
 }
 

@@ -38,6 +38,8 @@ class SegmentReader {
     return couplings_.driven_by_lengths();
   }
 
+  [[nodiscard]] bool follow_powers() const { return couplings_.follow_powers(); }
+
   /// The numbers of frames around elements.
   MjcfFrames& frames() { return frames_; }
 
@@ -96,10 +98,11 @@ model::Mechanism read_mjcf(Context& context, const Element& root) {
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
   SegmentReader reader(context, *model, tree, model->settings.inertia);
+  tree::Loops loops = mjcf_loops(context, *model, tree, reader.frames(), reader.driven_by_lengths());
+  loops.any = loops.any || reader.follow_powers();
   return read_tree(
       context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); },
-      [&](std::size_t node) { return reader.body(node); },
-      mjcf_loops(context, *model, tree, reader.frames(), reader.driven_by_lengths()));
+      [&](std::size_t node) { return reader.body(node); }, loops);
 }
 
 }  // namespace qvgen::description::xml

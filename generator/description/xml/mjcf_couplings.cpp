@@ -60,6 +60,11 @@ MjcfCouplings::MjcfCouplings(Context& context, const MjcfModel& model, const Mjc
     if (section.name == "tendon" && has_more(section)) warn_of_tendons(context, section);
 }
 
+bool MjcfCouplings::follow_powers() const {
+  return std::any_of(relations_.begin(), relations_.end(),
+                     [](const auto& relation) { return !relation.second.powers.empty(); });
+}
+
 /// True if a section has tendons that tie no joints.
 bool MjcfCouplings::has_more(const Element& section) const {
   return std::any_of(section.children.begin(), section.children.end(), [&](const Element& tendon) {
@@ -81,7 +86,12 @@ void MjcfCouplings::read_joint(const Element& element) {
   if (!numbers) return;
   Relation relation{element.place, &element, {}, (*numbers)[0]};
   const std::string leader = text_of(element, "joint2");
-  if (!leader.empty()) relation.leaders[leader] = (*numbers)[1].value;
+  if (!leader.empty()) {
+    relation.leaders[leader] = (*numbers)[1].value;
+    for (std::size_t degree = 2; degree < numbers->size(); ++degree)
+      relation.powers.push_back((*numbers)[degree].value);
+    while (!relation.powers.empty() && cln::zerop(relation.powers.back())) relation.powers.pop_back();
+  }
   add(text_of(element, "joint1"), relation);
 }
 
@@ -138,7 +148,12 @@ std::optional<MjcfCouplings::Followed> MjcfCouplings::length_of(const std::strin
   Followed length;
   for (const auto& [joint, factor] : joints_of_tendon(tendon, nullptr)) {
     const auto own = in_leaders(joint);
-    if (!own) return std::nullopt;
+    if (own && !own->powers.empty())
+      context_->error(relations_.at(joint).place,
+                      "the joint '" + joint + "' follows by a polynomial, and the tendon '" + tendon +
+                          "', which has a motor, moves it",
+                      "give the motor to the joint that leads");
+    if (!own || !own->powers.empty()) return std::nullopt;
     length.offset.add(factor, own->offset);
     for (const auto& [name, share] : own->sum) length.sum[name] = length.sum[name] + factor * share;
   }
@@ -263,12 +278,13 @@ bool MjcfCouplings::is_wrong(const std::string& joint, const std::set<std::strin
   if (relation.is_again) return wrong(" is tied twice");
   if (above.count(joint) > 0) return wrong(" follows joints that follow it");
   if (above.size() > most_above) return wrong(" is followed by more than 100 joints, one by the other");
+  if (relation.element->name == "joint") return false;
   const auto numbers = coefficients(*context_, *relation.element);
   for (std::size_t degree = 4; numbers && degree > 1; --degree) {
     if (cln::zerop((*numbers)[degree].value)) continue;
     context_->error((*numbers)[degree].place,
                     told + " follows by a polynomial of degree " + std::to_string(degree),
-                    "joints follow sums of multiples of others, polycoef=\"a0 a1\"; without the relation the "
+                    "tendons tie sums of multiples of joints, polycoef=\"a0 a1\"; without the relation the "
                     "joint is free");
     return true;
   }
@@ -284,14 +300,46 @@ std::optional<MjcfCouplings::Followed> MjcfCouplings::resolved(const std::string
     result.offset.add(-factor, in_pose(leader));
     if (relations_.count(leader) == 0) {
       result.sum[leader] = result.sum[leader] + factor;
+      if (!add_powers(joint, relation, nullptr, result)) return std::nullopt;
       continue;
     }
     const Followed* further = followed(leader, above);
     if (further == nullptr) return std::nullopt;
     result.offset.add(factor, further->offset);
     for (const auto& [name, share] : further->sum) result.sum[name] = result.sum[name] + factor * share;
+    if (!add_powers(joint, relation, further, result)) return std::nullopt;
   }
   return result;
+}
+
+/// Adds powers of a relation with one leader: its own, (r z + d - x0)^k = r^k (z - (x0 - d) / r)^k where the
+/// leader follows r z + d, or those by which the leader follows. False, and reported, if it has other ones.
+bool MjcfCouplings::add_powers(const std::string& joint, const Relation& relation, const Followed* leader,
+                               Followed& to) {
+  const bool own = !relation.powers.empty(), others = leader != nullptr && !leader->powers.empty();
+  if (!own && !others) return true;
+  if (relation.leaders.size() > 1 || to.sum.size() != 1 || (own && others)) {
+    context_->error(
+        relation.place, "the joint '" + joint + "' follows by polynomials of several joints",
+        "a joint follows by one polynomial of one joint that follows none, or that follows one by "
+        "polycoef=\"a0 a1\"");
+    return false;
+  }
+  if (others) {
+    const cln::cl_RA factor = relation.leaders.begin()->second;
+    to.from = leader->from;
+    for (const cln::cl_RA& power : leader->powers) to.powers.push_back(factor * power);
+    return true;
+  }
+  const cln::cl_RA ratio = leader == nullptr ? 1 : leader->sum.begin()->second;
+  to.from.add(1 / ratio, in_pose(relation.leaders.begin()->first));
+  if (leader != nullptr) to.from.add(-1 / ratio, leader->offset);
+  cln::cl_RA scale = ratio;
+  for (const cln::cl_RA& power : relation.powers) {
+    scale = scale * ratio;
+    to.powers.push_back(scale * power);
+  }
+  return true;
 }
 
 /// Returns what a joint follows, in joints that follow none; nothing if it is reported.
@@ -312,11 +360,14 @@ std::optional<tree::Mimic> MjcfCouplings::of(const std::string& joint) {
   const Followed* found = followed(joint, above);
   if (found == nullptr) return std::nullopt;
   tree::Mimic mimic{{}, {}, relation->second.place, true};
-  mimic.offset =
-      model::add(model::Expression(found->offset.plain),
-                 model::multiply(model::Expression(found->offset.half_turns), model::Expression::pi()));
+  const auto in_angle = [](const Value& value) {
+    return model::add(model::Expression(value.plain),
+                      model::multiply(model::Expression(value.half_turns), model::Expression::pi()));
+  };
+  mimic.offset = in_angle(found->offset);
+  if (!found->powers.empty()) mimic.powers = {found->powers, in_angle(found->from)};
   for (const auto& [name, factor] : found->sum) {
-    if (cln::zerop(factor)) continue;
+    if (cln::zerop(factor) && mimic.powers.empty()) continue;
     mimic.leaders.push_back({name, factor});
     if (const auto motor = motors_.find(name); motor != motors_.end())
       mimic.motors.push_back(motor->second.motor);

@@ -2,9 +2,10 @@
 // Joints that <equality> ties to others, as joints that follow them.
 //
 // For joints, and likewise for lengths of fixed tendons, which are sums of multiples of joints, MuJoCo keeps
-// y - y0 = a0 + a1 (x - x0) + a2 (x - x0)^2 + ..., where y0 and x0 are the values in the file's pose. Read is
-// what is linear. The first joint of a <joint> follows the second; of tendons the joint that is named last
-// follows the others. Joints that motors move by fixed tendons follow these (mjcf_motors.h).
+// y - y0 = a0 + a1 (x - x0) + a2 (x - x0)^2 + ..., where y0 and x0 are the values in the file's pose. Powers
+// are read of joints, not of tendons. The first joint of a <joint> follows the second; of tendons the joint
+// that is named last follows the others. Joints that motors move by fixed tendons follow these
+// (mjcf_motors.h).
 #pragma once
 
 #include <map>
@@ -21,6 +22,8 @@ class MjcfCouplings {
   MjcfCouplings(Context& context, const MjcfModel& model, const MjcfTree& tree);
   /// The joints that a joint follows, and how; nothing if it follows none. Mistakes are reported.
   std::optional<tree::Mimic> of(const std::string& joint);
+  /// True if a joint follows by powers of another, which whole robots have.
+  [[nodiscard]] bool follow_powers() const;
   /// Joints whose value is the length of a tendon with a motor.
   [[nodiscard]] const std::set<std::string>& driven_by_lengths() const { return driven_by_lengths_; }
 
@@ -33,6 +36,8 @@ class MjcfCouplings {
     Decimal constant;
     cln::cl_RA of_constant = 1;  ///< its factor
     bool is_again = false;       ///< another element has a relation of this joint
+    std::vector<cln::cl_RA> powers =
+        {};  ///< factors of the only leader's square, cube, ...; the last is not 0
   };
 
   void read(const Element& element);
@@ -53,10 +58,13 @@ class MjcfCouplings {
   struct Followed {
     Sum sum;  ///< of joints that follow none
     Value offset;
+    std::vector<cln::cl_RA> powers = {};  ///< as of a relation, of the value less `from`
+    Value from = {};
   };
   const Followed* followed(const std::string& joint, std::set<std::string>& above);
   std::optional<Followed> resolved(const std::string& joint, std::set<std::string>& above);
   bool is_wrong(const std::string& joint, const std::set<std::string>& above) const;
+  bool add_powers(const std::string& joint, const Relation& relation, const Followed* leader, Followed& to);
   [[nodiscard]] Value in_pose(const std::string& joint) const;
   [[nodiscard]] Value constant_of(const std::string& joint, const Relation& relation) const;
   static Value value_of(const model::Expression& expression);

@@ -7,6 +7,7 @@
 #include "dag/rebuild.h"
 #include "derive/inverse/names.h"
 #include "derive/inverse/target.h"
+#include "emit/math/describe_steps.h"
 #include "emit/math/lines.h"
 #include "emit/math/subproblems.h"
 #include "emit/math/vocabulary.h"
@@ -70,8 +71,19 @@ class Description {
     whole.formulas = scheme();
     for (const std::string& line : formulas(plan_.target, {})) whole.formulas.push_back(line);
     if (plan_.plan.range_test.exists()) range_test();
+    return write_steps();
+  }
+
+  /// The steps, behind the passages that there are.
+  std::vector<Passage> write_steps() {
     for (const std::size_t i : derive::inverse::order(plan_.plan, plan_.plan.quartic())) step(i);
     return std::move(passages_);
+  }
+
+  /// The steps behind the values that they take.
+  std::vector<Passage> write_without_pose() {
+    add("", "").formulas = formulas(plan_.target, {});
+    return write_steps();
   }
 
  private:
@@ -267,6 +279,14 @@ std::vector<std::string> describe(const derive::inverse::Derivation& derivation,
   std::vector<Passage> all = passages(derivation, notation);
   for (const Passage& passage : subproblem_passages(derivation, notation)) all.push_back(passage);
   for (const Passage& passage : all) (notation.typeset ? append_latex : append_text)(passage, lines);
+  return lines;
+}
+
+std::vector<std::string> describe_steps(const LoweredPlan& plan, const std::vector<std::string>& variables,
+                                        Notation notation) {
+  std::vector<std::string> lines;
+  for (const Passage& passage : Description(plan, variables, notation).write_without_pose())
+    (notation.typeset ? append_latex : append_text)(passage, lines);
   return lines;
 }
 

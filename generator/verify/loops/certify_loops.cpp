@@ -56,9 +56,18 @@ double widest(const dag::Function& gaps, const Values& values, std::size_t from,
   return worst;
 }
 
-double difference(const model::Robot& robot, const std::vector<Real>& row, const Eigen::VectorXd& q) {
+/// How far a row is from a sample. Joints that follow by polynomials of angles are not compared: a sample has
+/// other whole turns of these.
+double difference(const AssemblyPlan& assembly, const std::vector<Real>& row, const Eigen::VectorXd& q) {
+  const model::Robot& robot = assembly.robot;
+  const auto by_powers = [&](std::size_t joint) {
+    return std::any_of(assembly.led.begin(), assembly.led.end(), [&](const Geared& each) {
+      return each.joint == joint && !assembly.cycles[each.cycle].powers.empty();
+    });
+  };
   double worst = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
+    if (by_powers(i)) continue;
     const double gap = row[i].to_double() - q[static_cast<Eigen::Index>(i)];
     const bool turns = robot.joints[i].type == model::JointType::revolute;
     worst = std::max(worst, turns ? std::abs(std::sin(gap / 2)) : std::abs(gap));
@@ -127,6 +136,9 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
       put(assembly.robot.joints[joint], Real((*q)[static_cast<Eigen::Index>(joint)]), values);
     const Values given = values;
     for (const Geared& geared : assembly.geared) put_geared(assembly, geared, values);
+    for (const Geared& geared : assembly.led)  // without a step it has its value behind all
+      if (!assembly.cycles[geared.cycle].powers.empty())
+        put(assembly.robot.joints[geared.joint], Real(0), values);
     bool sampled = false;
     for (const Row& row : execute(plan, values)) {
       Values at = given;
@@ -137,7 +149,7 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
         throw CertificateError("closed loops: an assembly does not close them");
       if (widest(gaps, at, rows, gaps.outputs.size()) > sample_accuracy) continue;  // of redundant loops
       ++certificate.assemblies;
-      sampled = sampled || difference(assembly.robot, row.q, *q) < sample_accuracy;
+      sampled = sampled || difference(assembly, row.q, *q) < sample_accuracy;
     }
     if (!sampled && blurred && k < 64 * inputs) continue;  // given joints leave it open, as a folded scissor
     if (!sampled) throw CertificateError("closed loops: the sampled assembly is not among those found");

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr unsigned samples = 5;
 constexpr int most_tried = 20000;
 /// Singular values below this share of the greatest are none.
 constexpr double rank_share = 1e-7;
@@ -73,18 +72,10 @@ class Search {
 
 DrivenChoices driven_choices(const model::Mechanism& mechanism, const std::vector<std::size_t>& driven) {
   DrivenChoices result;
-  const LoopNumbers numbers(mechanism);
   std::vector<MatrixXd> motions;
-  for (unsigned sample = 0; sample < samples; ++sample) {
-    const auto q = numbers.assembled(sample + 1);
-    if (!q) break;
-    motions.push_back(motions_at(numbers.jacobian(*q)));
-    result.free = std::max(result.free, static_cast<std::size_t>(motions.back().cols()));
-  }
+  for (const MatrixXd& jacobian : jacobians_of(mechanism)) motions.push_back(motions_at(jacobian));
   result.assembled = !motions.empty();
-  // Assemblies that move less than others are not the mechanism's.
-  std::erase_if(motions,
-                [&](const MatrixXd& each) { return static_cast<std::size_t>(each.cols()) != result.free; });
+  if (result.assembled) result.free = static_cast<std::size_t>(motions.front().cols());
   if (result.assembled && result.free > 0 && driven.size() <= result.free)
     Search(std::move(motions), driven, result).run();
   return result;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <tuple>
 #include <utility>
 
 #include "dag/evaluate.h"
@@ -258,6 +259,69 @@ std::optional<VectorXd> LoopNumbers::assembled(unsigned seed) const {
   return std::nullopt;
 }
 
+namespace {
+
+/// A closed assembly, and what its loops leave. Assemblies may be of several kinds: some do not move, and a
+/// scissor's bars may lie on each other.
+struct Sample {
+  MatrixXd jacobian;
+  std::vector<std::size_t> still, loose;
+  bool fits;    ///< the driven joints determine it
+  bool within;  ///< all joints are within their limits
+  int free;
+
+  /// Compares kinds: the greatest one is that of the mechanism.
+  [[nodiscard]] auto kind() const { return std::tuple(fits, within, -static_cast<int>(still.size()), free); }
+};
+
+bool is_within_limits(const model::Robot& robot, const VectorXd& q) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const auto& limits = robot.joints[i].limits;
+    if (!limits || !model::symbols(limits->lower).empty() || !model::symbols(limits->upper).empty()) continue;
+    const double lower = model::to_double(model::evaluate(limits->lower)),
+                 upper = model::to_double(model::evaluate(limits->upper));
+    double at = q[static_cast<Eigen::Index>(i)];
+    if (robot.joints[i].type == model::JointType::revolute)  // the turn nearest to the middle of the limits
+      at -= 2 * M_PI * std::round((at - (lower + upper) / 2) / (2 * M_PI));
+    if (at < lower || at > upper) return false;
+  }
+  return true;
+}
+
+Sample sample_at(const LoopNumbers& numbers, const model::Mechanism& mechanism, const VectorXd& q) {
+  const std::vector<std::size_t>& driven = mechanism.loops.actuated;
+  Sample sample{numbers.jacobian(q), {}, {}, false, is_within_limits(mechanism.robot, q), 0};
+  sample.free = static_cast<int>(q.size()) - rank_of(sample.jacobian);
+  sample.still = still_in(sample.jacobian);
+  sample.loose = loose_in(sample.jacobian, driven);
+  sample.fits = !driven.empty() && sample.free == static_cast<int>(driven.size()) && sample.loose.empty();
+  return sample;
+}
+
+/// Assemblies of the mechanism's kind.
+std::vector<Sample> samples_of(const LoopNumbers& numbers, const model::Mechanism& mechanism) {
+  std::vector<Sample> found;
+  for (unsigned seed = 1; seed <= samples; ++seed) {
+    const auto q = numbers.assembled(seed);
+    if (!q) break;
+    found.push_back(sample_at(numbers, mechanism, *q));
+  }
+  const auto less = [](const Sample& a, const Sample& b) { return a.kind() < b.kind(); };
+  const auto best = std::max_element(found.begin(), found.end(), less);
+  if (best == found.end()) return found;
+  std::erase_if(found, [kind = best->kind()](const Sample& each) { return each.kind() != kind; });
+  return found;
+}
+
+}  // namespace
+
+std::vector<MatrixXd> jacobians_of(const model::Mechanism& mechanism) {
+  std::vector<MatrixXd> result;
+  for (Sample& sample : samples_of(LoopNumbers(mechanism), mechanism))
+    result.push_back(std::move(sample.jacobian));
+  return result;
+}
+
 Mobility mobility_of(const model::Mechanism& mechanism) {
   Mobility result;
   const LoopNumbers numbers(mechanism);
@@ -265,27 +329,13 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
   result.gruebler = result.joints - static_cast<int>(mechanism.loops.gears.size());
   for (const model::Loop& loop : mechanism.loops.closures) result.gruebler -= equations_in_space(loop.type);
   result.in_planes = result.joints - static_cast<int>(numbers.loop_of_row().size());
-  const std::vector<std::size_t>& driven = mechanism.loops.actuated;
-  bool is_fitting = false;
-  for (unsigned sample = 0; sample < samples; ++sample) {
-    const auto q = numbers.assembled(sample + 1);
-    if (!q) break;
-    const MatrixXd jacobian = numbers.jacobian(*q);
-    const int free = result.joints - rank_of(jacobian);
-    const auto redundant = redundant_in(jacobian, numbers.loop_of_row());
-    const auto still = still_in(jacobian);
-    const auto loose = loose_in(jacobian, driven);
-    // Assemblies may be of several kinds: some do not move, and a scissor's bars may lie on each other. Those
-    // that the driven joints determine count before others, then those that move most.
-    const bool fits = !driven.empty() && free == static_cast<int>(driven.size()) && loose.empty();
-    const auto kind = std::pair(fits, free), counted = std::pair(is_fitting, result.free);
-    if (result.assembled && kind < counted) continue;
-    const bool is_first = !result.assembled || kind > counted;
-    is_fitting = fits;
-    result.free = free;
+  for (const Sample& sample : samples_of(numbers, mechanism)) {
+    const auto redundant = redundant_in(sample.jacobian, numbers.loop_of_row());
+    const bool is_first = !result.assembled;
+    result.free = sample.free;
     result.redundant = is_first ? redundant : in_both(result.redundant, redundant);
-    result.still = is_first ? still : in_both(result.still, still);
-    result.loose = is_first ? loose : in_both(result.loose, loose);
+    result.still = is_first ? sample.still : in_both(result.still, sample.still);
+    result.loose = is_first ? sample.loose : in_both(result.loose, sample.loose);
     result.assembled = true;
   }
   return result;

@@ -64,9 +64,14 @@ struct Mobility {
   std::vector<std::size_t> loose;      ///< joints that move although the driven ones stand still
 };
 
-/// Counts freedoms at random assemblies. If these are of several kinds with different numbers of freedoms, it
-/// counts those that the driven joints determine, else those that move most.
+/// Counts freedoms at random assemblies. Some may be of another kind than the mechanism's: a scissor whose
+/// feet meet folds, and its bars turn by themselves. The mechanism's are those that the driven joints
+/// determine, then those within all limits, then those in which most joints move, then those with most
+/// freedoms.
 Mobility mobility_of(const model::Mechanism& mechanism);
+
+/// Returns the derivatives of all gaps at assemblies of that kind; nothing if none are found.
+std::vector<Eigen::MatrixXd> jacobians_of(const model::Mechanism& mechanism);
 
 /// In words: how many freedoms, which loops are redundant, which joints never move, what is wrong with the
 /// number of driven joints. One sentence an entry.

@@ -37,7 +37,8 @@ struct Joint {
   /// Joints and motors that move it, by name, and by how much of their own way; none: it has a value of its
   /// own.
   std::vector<std::pair<std::string, double>> leaders;
-  double offset = 0;  ///< that it has besides, rad or m; it stands in `before`
+  std::string polynomial;  ///< of one leader, as the description has it; empty: the sum of multiples
+  double offset = 0;       ///< that it has besides, rad or m; it stands in `before`
 
   /// The joint whose link carries this one, -1: the base. None: the joint before.
   std::optional<Eigen::Index> parent = {};

@@ -124,6 +124,8 @@ std::vector<std::string> take_names(std::string& sum) {
     names.push_back(word);
     if (at > 1 && sum[at - 1] == ' ' && (is_digit(sum[at - 2]) || sum[at - 2] == ')')) sum[at - 1] = '*';
   }
+  for (std::size_t at = 1; at + 1 < sum.size(); ++at)
+    if (sum[at] == ' ' && is_digit(sum[at - 1]) && sum[at + 1] == '(') sum[at] = '*';
   return names;
 }
 
@@ -134,6 +136,11 @@ double read_relation(const std::string& text, Joint& joint) {
   const std::vector<std::string> names = take_names(sum);
   Values zero;
   for (const std::string& each : names) zero[each] = 0;
+  if (sum.find('^') != std::string::npos) {
+    joint.leaders.emplace_back(names.front(), 0);
+    joint.polynomial = sum;
+    return 0;
+  }
   const double constant = evaluate(sum, zero);
   for (const std::string& each : names) {
     Values one = zero;
@@ -160,7 +167,7 @@ void tie_followers(const std::vector<Reader>& tables, Chain& chain) {
     Joint& joint = chain.joints[i++];
     if (!table.has("follows")) continue;
     double offset = table.entry("offset");
-    if (table.text("follows").find_first_of(" +-*/()") == std::string::npos)
+    if (table.text("follows").find_first_of(" +-*/^()") == std::string::npos)
       joint.leaders = {{table.text("follows"), table.has("ratio") ? table.entry("ratio") : 1.0}};
     else
       offset = read_relation(table.text("follows"), joint);

@@ -96,7 +96,8 @@ void take_gears(LoopMechanism& mechanism) {
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     Joint& joint = chain.joints[i];
     if (joint.leaders.empty()) continue;
-    Gear gear{static_cast<Eigen::Index>(i), {}, joint.offset};
+    Gear gear{static_cast<Eigen::Index>(i), {}, joint.offset, joint.polynomial};
+    gear.variable = joint.leaders.front().first;
     for (const auto& [name, ratio] : joint.leaders)
       gear.leaders.emplace_back(joint_named(chain, name), ratio);
     mechanism.gears.push_back(gear);
@@ -205,7 +206,8 @@ LoopMechanism load_loops(const std::filesystem::path& path, const Values& given)
   mechanism.chain = load(path, given);
   take_gears(mechanism);
   mechanism.size = 0;
-  for (const toml::node& node : *file["loop"].as_array()) {
+  const toml::array none;
+  for (const toml::node& node : file.contains("loop") ? *file["loop"].as_array() : none) {
     mechanism.closures.push_back(closure_of(*node.as_table(), mechanism.chain, values));
     const Closure& closure = mechanism.closures.back();
     mechanism.size += closure.length + closure.points[0].norm() + closure.points[1].norm();
@@ -247,10 +249,31 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
 
 VectorXd followed(const LoopMechanism& mechanism, VectorXd q) {
   for (const Gear& gear : mechanism.gears) {
-    q[gear.joint] = gear.offset;
-    for (const auto& [leader, ratio] : gear.leaders) q[gear.joint] += ratio * q[leader];
+    q[gear.joint] = value_of(gear, q);
   }
   return q;
+}
+
+double value_of(const Gear& gear, const VectorXd& q) {
+  if (!gear.polynomial.empty())
+    return evaluate(gear.polynomial, {{gear.variable, q[gear.leaders.front().first]}});
+  double value = gear.offset;
+  for (const auto& [leader, ratio] : gear.leaders) value += ratio * q[leader];
+  return value;
+}
+
+double derivative_of(const Gear& gear, const std::pair<Eigen::Index, double>& leader, const VectorXd& q) {
+  if (gear.polynomial.empty()) return leader.second;
+  const auto difference = [&](double step) {
+    VectorXd above = q, below = q;
+    above[leader.first] += step;
+    below[leader.first] -= step;
+    return (value_of(gear, above) - value_of(gear, below)) / 2;
+  };
+  constexpr double step = 0.25;
+  return (difference(step) * 8 / 5 - difference(2 * step) * 2 / 5 + difference(3 * step) * 8 / 105 -
+          difference(4 * step) / 140) /
+         step;
 }
 
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
@@ -292,7 +315,7 @@ MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
   }
   for (const Gear& gear : mechanism.gears) {
     result(row, gear.joint) = 1;
-    for (const auto& [leader, ratio] : gear.leaders) result(row, leader) -= ratio;
+    for (const auto& leader : gear.leaders) result(row, leader.first) -= derivative_of(gear, leader, q);
     ++row;
   }
   return result;

@@ -29,7 +29,9 @@ struct Closure {
 struct Gear {
   Eigen::Index joint = 0;
   std::vector<std::pair<Eigen::Index, double>> leaders;
-  double offset = 0;  ///< rad or m
+  double offset = 0;            ///< rad or m
+  std::string polynomial = {};  ///< of the only leader, in place of factor and offset
+  std::string variable = {};    ///< of that, in the polynomial
 };
 
 /// Every joint has a value of its own here. Motors are the last joints, and move nothing.
@@ -49,6 +51,10 @@ LoopMechanism load_loops(const std::filesystem::path& file, const Values& values
 VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Puts joints that follow others where those are.
 VectorXd followed(const LoopMechanism& mechanism, VectorXd q);
+/// Value of a joint that follows, and its derivative by a leader: that of a polynomial by differences, of
+/// which four in a row are exact up to the eighth power.
+double value_of(const Gear& gear, const VectorXd& q);
+double derivative_of(const Gear& gear, const std::pair<Eigen::Index, double>& leader, const VectorXd& q);
 /// Derivatives of the gaps by all joints, by cross products; that of a rotation vector is the angular
 /// velocity.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
