@@ -157,7 +157,7 @@ TYPED_TEST(LimitsOverTheFirstAxis, WhatIsWithinLimitsIsReached) {
     const auto check = [&](const auto& found) {
       EXPECT_NE(found.status, qvgen::Status::unreachable) << q.transpose().format(Eigen::IOFormat(17));
       told += found.status == qvgen::Status::incomplete ? 1 : 0;
-      without_rows += found.empty() ? 1 : 0;
+      without_rows += found.empty() && !is_doubly_singular<Arm>(sample.q) ? 1 : 0;
       for (const auto& row : found) {
         EXPECT_LT((Arm::forward(row.q).position - pose.position).norm(), 1e-11);
         EXPECT_GT(std::abs(Arm::forward(row.q).orientation.dot(pose.orientation)), 1 - 1e-11);

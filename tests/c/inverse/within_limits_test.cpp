@@ -57,7 +57,7 @@ TEST_P(LimitsInC, JointsWithinLimitsHaveARow) {
   std::printf("%-24s within limits %d poses, %d singular, %d without a row\n", GetParam().name.c_str(),
               poses_, singular_, without_row_);
   if (GetParam().info.task == Task::pose) {
-    EXPECT_LE(without_row_, 5);
+    EXPECT_LE(without_row_, 1);
   }
 }
 
