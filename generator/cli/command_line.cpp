@@ -49,8 +49,11 @@ void add_parts(CommandLine& line, CLI::App& command) {
       ->delimiter(',');
   command
       .add_option(
-          "--language", line.language,
-          "cxx; c, rust, javascript, octave, opencl or cuda: files in a folder of that name in the output")
+          "--language", line.languages,
+          "cxx; c, rust, javascript, octave, opencl or cuda: files in a folder of that name in the output; "
+          "several, separated by commas, are derived once")
+      ->allow_extra_args(false)
+      ->delimiter(',')
       ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "octave", "opencl", "cuda"}));
   command.add_option("--scalar", line.scalar, "what C and kernels of devices compute in: double or float")
       ->check(CLI::IsMember({"double", "float"}));

@@ -23,7 +23,7 @@ struct CommandLine {
   CLI::App* generate_command = nullptr;
   GenerateArguments generate;
   std::vector<std::string> generate_files;
-  std::string language = "cxx";
+  std::vector<std::string> languages = {"cxx"};
   std::string scalar = "double";
 
   CLI::App* remove_command = nullptr;

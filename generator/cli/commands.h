@@ -108,7 +108,8 @@ struct MapArguments {
 };
 
 /// Each command prints its results to stdout and messages to stderr, and returns an ExitCode.
-int run_generate(const GenerateArguments& arguments);
+/// `kept`: what other languages of the same run have left.
+int run_generate(const GenerateArguments& arguments, pipeline::KeptProducts& kept);
 /// Removes robots from a folder, their files and nothing else.
 int run_remove(const std::vector<std::string>& robots, const std::filesystem::path& output);
 int run_show(const ShowArguments& arguments);

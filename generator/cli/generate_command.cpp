@@ -163,7 +163,8 @@ PartsOfLoops parts_of_loops(const Task& task, std::size_t place, const std::vect
 }
 
 /// Makes the robots of all tasks, those of chains apart from the others, since they have one part each.
-std::vector<RobotOutput> outputs_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+std::vector<RobotOutput> outputs_of(const GenerateArguments& arguments, const std::vector<Task>& tasks,
+                                    KeptProducts& kept) {
   std::vector<RobotOutput> outputs(tasks.size());
   std::map<std::string, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < tasks.size(); ++i) places[tasks[i].only].push_back(i);
@@ -177,15 +178,16 @@ std::vector<RobotOutput> outputs_of(const GenerateArguments& arguments, const st
     }
     std::vector<RobotOutput> made = generate(
         robots, only.empty() ? arguments.parts : Parts{only}, arguments.budget,
-        [&](const std::string& robot) { line.finished(robot); }, arguments.language, limb_of);
+        [&](const std::string& robot) { line.finished(robot); }, arguments.language, limb_of, &kept);
     for (std::size_t i = 0; i < group.size(); ++i) outputs[group[i]] = std::move(made[i]);
   }
   return outputs;
 }
 
-FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Task>& tasks,
+                       KeptProducts& kept) {
   const std::vector<Task> changed = changed_tasks(arguments, tasks);
-  std::vector<RobotOutput> outputs = outputs_of(arguments, changed);
+  std::vector<RobotOutput> outputs = outputs_of(arguments, changed, kept);
   const auto& parts = arguments.parts;
   const bool with_c = std::find(parts.begin(), parts.end(), "c_assembly") != parts.end();
   FolderUpdate update;
@@ -264,7 +266,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
 
 }  // namespace
 
-int run_generate(const GenerateArguments& arguments) {
+int run_generate(const GenerateArguments& arguments, KeptProducts& kept) {
   description::ReadOptions reading = arguments.read;
   reading.lists_files = !arguments.build.depfile.empty();
   auto descriptions = read_descriptions(arguments.descriptions, reading);
@@ -272,7 +274,7 @@ int run_generate(const GenerateArguments& arguments) {
   const std::vector<std::string> files = files_besides(*descriptions);
   const std::vector<Task> tasks = tasks_of(arguments, std::move(*descriptions));
   check_folder(arguments.output, shared_files());
-  const FolderUpdate update = update_of(arguments, tasks);
+  const FolderUpdate update = update_of(arguments, tasks, kept);
   const FolderChange change = update_folder(arguments.output, update);
   const ordered_json counts = only(counts_in(arguments.output), tasks);
   std::vector<std::string> names;

@@ -9,6 +9,7 @@
 #include "cli/installation.h"
 #include "cli/language_table.h"
 #include "cli/suggestion.h"
+#include "cli/verdict.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/robot_output.h"
 #include "toolchain/packages.h"
@@ -132,23 +133,46 @@ void check_parts_of(const GenerateArguments& generate) {
       throw UsageError("--require " + part + ": it is made only if --only names it too");
 }
 
-int generate(CommandLine& line, const Installation& here) {
-  GenerateArguments& generate = line.generate;
-  check_parts_of(generate);
+Language language_of(const std::string& name, const std::string& scalar) {
+  Language found = Language::cxx;
   for (const LanguageRow& row : languages())
-    if (row.name == line.language) generate.language = row.language;
-  if (line.scalar == "float" && !is_in_float(in_float(generate.language)))
+    if (row.name == name) found = row.language;
+  if (scalar != "float") return found;
+  if (!is_in_float(in_float(found)))
     throw UsageError(
         "--scalar float: it is for --language c, opencl and cuda; functions of C++ take float as they are, "
         "crates of Rust "
         "have the feature f32, other languages compute in double");
-  if (line.scalar == "float") generate.language = in_float(generate.language);
+  return in_float(found);
+}
+
+/// Generates in one language after the other. Descriptions that cannot be read end the run.
+int generate_in(const std::vector<Language>& wanted, GenerateArguments& generate) {
+  const BuildFiles& build = generate.build;
+  if (wanted.size() > 1 && !(build.outputs.empty() && build.depfile.empty() && build.sources.empty()))
+    throw UsageError("--list-outputs, --depfile and --sources are for one language");
+  KeptProducts kept;
+  ExitCode verdict = success;
+  for (const Language language : wanted) {
+    generate.language = language;
+    const auto result = static_cast<ExitCode>(run_generate(generate, kept));
+    if (result == bad_description) return result;
+    verdict = worse(verdict, result);
+  }
+  return verdict;
+}
+
+int generate(CommandLine& line, const Installation& here) {
+  GenerateArguments& generate = line.generate;
+  check_parts_of(generate);
+  std::vector<Language> wanted;
+  for (const std::string& name : line.languages) wanted.push_back(language_of(name, line.scalar));
   generate.known_robots = here.robots;
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;
   generate.all_known = line.generate_files.empty();
   generate.descriptions = wanted_descriptions(line.generate_files, here, generate.read);
-  return run_generate(generate);
+  return generate_in(wanted, generate);
 }
 
 int show(CommandLine& line, const Installation& here) {

@@ -167,10 +167,16 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
   return output;
 }
 
-/// Makes the products of each robot, not put together yet.
+/// True if a language takes the product from C as any other does.
+bool is_shared(const Product& product, Language language) {
+  return comes_from_c(language) &&
+         (!is_of_devices(language) || lack_of(row_of(language), product.part).empty());
+}
+
+/// Makes the products of each robot, not put together yet, but for those that are kept from another language.
 std::vector<RobotOutput> made(const std::vector<Original>& robots, const std::vector<Product>& products,
                               const Budget& budget, const std::function<void(const std::string&)>& progress,
-                              Language language) {
+                              Language language, KeptProducts& kept) {
   // The last products take longest and begin first, so that no core waits for one of them at the end.
   const auto product_at = [&](std::size_t i) { return products.size() - 1 - i % products.size(); };
   const auto work = [&](std::size_t i) {
@@ -181,7 +187,27 @@ std::vector<RobotOutput> made(const std::vector<Original>& robots, const std::ve
     const std::size_t robot = i / products.size();
     if (--open[robot] == 0 && progress) progress(robots[robot].robot.name);
   };
-  const std::vector<Outcome> outcomes = in_processes(robots.size() * products.size(), work, budget, done);
+  const auto key_of = [&](std::size_t i) {
+    return std::pair{robots[i / products.size()].robot.name, products[product_at(i)].part};
+  };
+  std::vector<Outcome> outcomes(robots.size() * products.size());
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const auto known = kept.find(key_of(i));
+    if (known == kept.end() || !is_shared(products[product_at(i)], language)) {
+      wanted.push_back(i);
+      continue;
+    }
+    outcomes[i] = known->second;
+    done(i);
+  }
+  const std::vector<Outcome> others = in_processes(
+      wanted.size(), [&](std::size_t i) { return work(wanted[i]); }, budget,
+      [&](std::size_t i) { done(wanted[i]); });
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    outcomes[wanted[i]] = others[i];
+    if (is_shared(products[product_at(wanted[i])], language)) kept[key_of(wanted[i])] = others[i];
+  }
   std::vector<RobotOutput> outputs;
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
     RobotOutput output{robots[robot].robot.name};
@@ -313,11 +339,14 @@ bool has_part(const std::vector<Missing>& missing, const std::string& part) {
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& described, const Parts& parts,
                                   const Budget& budget,
                                   const std::function<void(const std::string&)>& progress, Language language,
-                                  std::vector<std::string> limb_of) {
+                                  std::vector<std::string> limb_of, KeptProducts* kept) {
   std::vector<model::Robot> robots;
   for (const model::Robot& robot : described) robots.push_back(asked_for(robot, parts));
+  KeptProducts own;
+  KeptProducts& products = kept == nullptr ? own : *kept;
   const auto derive = [&](const std::vector<Original>& some) {
-    std::vector<RobotOutput> outputs = made(some, wanted_products(parts), budget, progress, language);
+    std::vector<RobotOutput> outputs =
+        made(some, wanted_products(parts), budget, progress, language, products);
     add_extras(some, wanted_extras(parts), budget, language, outputs);
     return outputs;
   };
@@ -329,7 +358,8 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& described, co
 }
 
 RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget) {
-  return whole(made({{robot}}, page_products(), budget, {}, Language::c).front(), Language::c);
+  KeptProducts kept;
+  return whole(made({{robot}}, page_products(), budget, {}, Language::c, kept).front(), Language::c);
 }
 
 std::vector<OutputFile> shared_files() {

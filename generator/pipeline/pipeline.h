@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/robot.h"
@@ -34,14 +36,19 @@ std::string product_of(const std::string& part);
 /// True if a robot has a part, by what is missing of it.
 bool has_part(const std::vector<Missing>& missing, const std::string& part);
 
+/// Products in C by robot and part, kept from one language of a run for the next that is made of C.
+using KeptProducts = std::map<std::pair<std::string, std::string>, Outcome>;
+
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every
 /// product of every robot is made in a process of its own; one that fails is left out and says why. Outputs
 /// have the names that folders call them by. `limb_of`: for each robot the one that it is a limb of, if it is
-/// one; limbs of C++ that are images of another limb are made with that (images.h).
+/// one; limbs of C++ that are images of another limb are made with that (images.h). `kept`: products of the
+/// same robots and parts, which are not made again, and where those in C are left.
 std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
                                   const Budget& budget = {},
                                   const std::function<void(const std::string& robot)>& progress = {},
-                                  Language language = Language::cxx, std::vector<std::string> limb_of = {});
+                                  Language language = Language::cxx, std::vector<std::string> limb_of = {},
+                                  KeptProducts* kept = nullptr);
 
 /// In C, the functions that a report's page calls; see `page_products`.
 RobotOutput generate_page_functions(const model::Robot& robot, const Budget& budget = {});

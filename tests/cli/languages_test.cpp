@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Output folders with C++, with C, and with C in float.
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -54,6 +55,21 @@ TEST_F(CommandLine, RustAndJavaScriptHaveFoldersOfTheirOwn) {
   EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm.c"));
   EXPECT_EQ(run(arguments + " --language rust --scalar float").code, 2);
   EXPECT_EQ(run(arguments + " --language javascript --only certified --require certified").code, 1);
+}
+
+TEST_F(CommandLine, SeveralLanguagesAreWhatEachIsAlone) {
+  const std::string arguments =
+      "generate " + write("my_arm.toml", good_arm) + " --only kinematics,inverse,certified --output ";
+  const std::string alone = out() + "/alone", together = out() + "/together";
+  for (const std::string language : {"cxx", "c", "rust", "cuda"})
+    ASSERT_EQ(run(arguments + alone + " --language " + language).code, 0) << language;
+  const ToolRun made = run(arguments + together + " --language cxx,c,rust,cuda");
+  ASSERT_EQ(made.code, 0) << made.output;
+  EXPECT_EQ(std::system(("diff -r " + alone + " " + together).c_str()), 0);
+  // A part that one language lacks fails the run.
+  EXPECT_EQ(run(arguments + together + " --language cxx,rust --require certified").code, 1);
+  EXPECT_EQ(run(arguments + together + " --language c,rust --list-outputs " + out() + "/list").code, 2);
+  EXPECT_EQ(run(arguments + together + " --language c,rust --scalar float").code, 2);
 }
 
 TEST_F(CommandLine, ACrateWhoseNumbersAreBeyondFloatHasNoF32AndSaysWhy) {

@@ -38,10 +38,9 @@ def make(tool, cc, folder, *robots):
     for each in robots:
         description, _, parts = each.partition(":")
         robot = pathlib.Path(description).stem
-        for language in ("c", "rust", "javascript", "octave"):
-            only = ["--only", parts.replace("+", ",")] if parts else []
-            subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
-                            "--quiet"], check=True)
+        only = ["--only", parts.replace("+", ",")] if parts else []
+        subprocess.run([tool, "generate", description, *only, "--language", "c,rust,javascript,octave", "--output", folder / "made",
+                        "--quiet"], check=True)
         header, made = vectors_in(folder / "vectors", folder / "made", robot, cc, "double")
         (folder / "vectors" / f"{robot}.m").write_text(
             octave_runner.write(header, made, folder / "vectors/octave", (folder / "made/octave").resolve()))
