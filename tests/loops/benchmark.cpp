@@ -2,6 +2,9 @@
 // Nanoseconds a call of functions of closed loops, and of MuJoCo's constrained forward dynamics for the same
 // mechanisms in the same run; agreement at rest is checked first, and an exit status says whether there is.
 // `loops_benchmark --instructions` makes one dump of callgrind's for each function, for instructions.sh.
+// A platform on six cylinders comes last, unless the build is light: its inverse kinematics, the tip's
+// Jacobian, and all of its places.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +23,9 @@
 
 #include "measured.h"
 #include "mujoco_loops.h"
+#ifdef QVGEN_MEASURES_STEWART
+#include <qvgen/robots/stewart/assembly.h>
+#endif
 
 namespace {
 
@@ -170,6 +176,56 @@ double measure(const Meter& meter, bool with_peer) {
   return t.apart;
 }
 
+#ifdef QVGEN_MEASURES_STEWART
+/// Measures a platform on six cylinders at random places. Paths to all of its places are longer for some
+/// lengths than for others, so each input is timed by itself.
+void measure_stewart(const Meter& meter) {
+  namespace arm = qvgen::robots::stewart;
+  constexpr std::size_t count = 48;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> slide(-0.15, 0.15), turn(-0.4, 0.4);
+  std::vector<arm::Driven> places(count), legs(count);
+  std::vector<arm::JointVector<double>> q(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] << slide(random), slide(random), 0.5 + slide(random), turn(random), turn(random), turn(random);
+    q[i] = arm::assemble_from_outputs(places[i])[0].q;
+    legs[i] = q[i](arm::driven_joints);
+  }
+  const auto timed = [&](const char* name, const auto& call) {
+    return meter(std::string("stewart ") + name, count, [&] {
+      double total = 0;
+      for (std::size_t i = 0; i < count; ++i) total += call(i);
+      return total;
+    });
+  };
+  const double inverse =
+      timed("inverse", [&](std::size_t i) { return arm::assemble_from_outputs(places[i])[0].q[0]; });
+  const double rates = timed("rates", [&](std::size_t i) { return arm::rates(q[i])(0, 0); });
+  const double jacobian = timed("jacobian", [&](std::size_t i) { return arm::jacobian_of_top(q[i])(0, 0); });
+  if (meter.rounds == 0) {
+    timed("assemble", [&](std::size_t i) { return arm::assemble(legs[i])[0].q[0]; });
+    return;
+  }
+  std::vector<double> each(count, 1e300);
+  int rows = 0;
+  for (int k = 0; k < std::min(meter.rounds, 10); ++k)
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto start = Clock::now();
+      const int found = arm::assemble(legs[i]).size();
+      const std::chrono::duration<double, std::milli> time = Clock::now() - start;
+      each[i] = std::min(each[i], time.count());
+      rows += k == 0 ? found : 0;
+    }
+  std::sort(each.begin(), each.end());
+  double mean = 0;
+  for (const double time : each) mean += time / count;
+  std::printf("stewart, ns a call: inverse %.0f, rates %.0f, Jacobian of the tip %.0f\n", inverse, rates,
+              jacobian);
+  std::printf("stewart, all places, ms a call: median %.1f, mean %.1f, slowest %.1f; %.1f real ones of 40\n",
+              each[count / 2], mean, each.back(), static_cast<double>(rows) / count);
+}
+#endif
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -182,6 +238,9 @@ int main(int count, char** arguments) {
 #define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(meter, has_peer));
   QVGEN_MEASURED(QVGEN_MEASURE)
 #undef QVGEN_MEASURE
+#ifdef QVGEN_MEASURES_STEWART
+  measure_stewart(meter);
+#endif
   if (!counts) std::printf("farthest from MuJoCo's accelerations: %.1e of them (sum %g)\n", worst, sum);
   return worst < 2e-3 && std::isfinite(sum) ? 0 : 1;
 }
