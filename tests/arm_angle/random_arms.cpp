@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "random_arms.h"
 
+#include "reference/linear_algebra.h"
+
 namespace qvgen::test {
 
 using Eigen::AngleAxisd;
@@ -107,7 +109,7 @@ Vector3d zero_side(const Arm& arm, const ArmAngleReference& reference, const Vec
     across = Vector3d::Unit(least);
   }
   across = (across - across.dot(half_line) * half_line).normalized();
-  return Eigen::Quaterniond::FromTwoVectors(-half_line, line) * across;
+  return reference::shortest_turn(-half_line, line) * across;
 }
 
 }  // namespace

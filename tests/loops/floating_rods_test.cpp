@@ -213,7 +213,7 @@ void expect_falling(const Functions& m, const BaseMotion& base, const VectorXd& 
                     const VectorXd& more) {
   const Vector3d falling =
       gravity * Eigen::AngleAxisd(base.q[0], base.q.tail<3>().normalized()).toRotationMatrix().col(2);
-  const Eigen::Quaterniond back = Eigen::Quaterniond::FromTwoVectors(falling, Vector3d(0, 0, -gravity));
+  const Eigen::Quaterniond back(reference::shortest_turn(falling.normalized(), -Vector3d::UnitZ()));
   const VectorXd pose = pose_of(base);
   const Eigen::Quaterniond turn = back * Eigen::Quaterniond(base.rotation);
   VectorXd turned(7);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -51,6 +52,12 @@ double largest(const Eigen::MatrixXd& m) {
     result = std::max(result, size);
   }
   return result;
+}
+
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const double cosine = (from + to).norm() / 2;  // of half the angle
+  const Eigen::Vector3d axis = from.cross(to) / (2 * cosine);
+  return Eigen::Quaterniond(cosine, axis.x(), axis.y(), axis.z()).toRotationMatrix();
 }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {

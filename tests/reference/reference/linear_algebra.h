@@ -29,6 +29,10 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// Returns the largest magnitude of an entry, zero without any, NaN if there is one.
 double largest(const Eigen::MatrixXd& m);
 
+/// Returns the shortest turn that brings a direction, a unit vector, onto another one, not opposite to it.
+/// Eigen's decomposes a matrix for opposite ones.
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// The shortest of all x that make |a x - b| least.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// Returns the same of a matrix whose columns are independent only by more than a share of the longest.
