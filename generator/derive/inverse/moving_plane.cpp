@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arms with three joints in a row that move a plane in itself: parallel turns, or turns and slides across
-// them. Directions and heights along the plane's normal hold two of the other joints; then the sum of the
-// three's turns is known, and two of the three place a point in the plane.
+// Arms with three joints in a row that move a plane in itself: parallel turns, or of five joints turns and
+// slides across them. Directions and heights along the plane's normal hold two of the other joints; then the
+// sum of the three's turns is known, and two of the three place a point in the plane.
 #include <algorithm>
 #include <optional>
 
@@ -25,13 +25,14 @@ namespace {
 
 constexpr const char* sum_name = "sum";  ///< the sum of the three parallel joints' angles
 
-/// Finds the first turn of three joints that move in a plane, all other joints of the arm being turns.
+/// Finds the first turn of three joints that move in a plane, all other joints of the arm being turns. Six
+/// joints with a slide among the three are left to the elimination, which sees all of their singular poses.
 std::optional<std::size_t> turn_of_plane(const std::vector<Screw>& screws, std::size_t k,
                                          const Scope& scope) {
   std::optional<std::size_t> turn;
   for (std::size_t i = 0; i < screws.size(); ++i) {
     const bool is_of_plane = i >= k && i < k + 3;
-    if (!screws[i].revolute && !is_of_plane) return std::nullopt;
+    if (!screws[i].revolute && (!is_of_plane || screws.size() == 6)) return std::nullopt;
     if (screws[i].revolute && is_of_plane && !turn) turn = i;
   }
   if (!turn) return std::nullopt;
