@@ -43,7 +43,7 @@ struct PlacedLinkage {
     Vector from, to;
     bool is_base = false;
   };
-  std::vector<Line> lines;  ///< from joints to what their links carry, and rods
+  std::vector<Line> lines;   ///< from joints to what their links carry, and rods
   std::vector<Vector> ties;  ///< the ends of closures
   std::vector<Motion> tips;
 };
