@@ -36,7 +36,7 @@ std::optional<symbolic::Vector> meeting_point(const Screw& a, const Screw& b, co
 // Each of these fills in the attempt's plan and returns an empty text, or why the structure does not serve.
 
 /// Joints k, k+1, k+2 meet in a point: the others carry it, then the three turn about it. With four joints
-/// or five the rows are candidates, as below.
+/// the rows are candidates, as below.
 std::string by_common_point(Attempt& attempt, std::size_t k);
 /// Four joints: the others carry a point on the axis of joint k, then that turns about it. The rows are
 /// candidates, for four joints do not follow every pose.
@@ -54,26 +54,19 @@ std::string by_inclination(Attempt& attempt);
 std::string by_level(Attempt& attempt);
 /// Parallel revolute joints in a plane: two of them with a position, three with an orientation too.
 std::string in_plane(Attempt& attempt);
-/// Six joints, k, k+1, k+2 move in a plane, three parallel turns or slides across such turns; the others
-/// turn: directions and heights along the plane's normal hold the angles of two of these. Five joints, the
-/// first three of which do: the other two meet in a point. The rows then are candidates, as above.
-std::string by_moving_plane(Attempt& attempt, std::size_t k);
-/// Six joints, three of them slides, or five with two slides: three turn the tool, then the slides are linear
-/// equations. With five joints the rows are candidates, as above.
-std::string by_three_turns(Attempt& attempt);
+/// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two
+/// others.
+std::string by_parallel_axes(Attempt& attempt, std::size_t k);
+/// Six joints, three of them slides: the others turn the tool, then the slides are linear equations.
+std::string by_three_slides(Attempt& attempt);
 /// Four joints, two of them slides: the others turn the tool, then the slides are linear equations. The rows
 /// are candidates, as above.
-std::string by_two_turns(Attempt& attempt);
+std::string by_two_slides(Attempt& attempt);
 
-/// All joints, one to three, but joint k and those after it up to `count` bring a point on the axes of these
-/// to where the pose has it. Two of them stand on one side of the others.
+/// All joints, three or one, but joint k and those after it up to `count` bring a point on the axes of these
+/// to where the pose has it.
 std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::size_t count,
                          const symbolic::Vector& centre);
-
-/// Solves e_a e_b start = goal for a goal where two joints can bring the point, each a turn or a slide. What
-/// they do not change is not looked at. Returns an empty text, or why one of them moves the point in vain.
-std::string place_by_two(Attempt& attempt, const Screw& a, const Screw& b, const symbolic::Vector& start,
-                         const symbolic::Vector& goal);
 
 /// Newton steps of all joints towards the whole pose: three points that stand off from each other by the size
 /// of the arm are carried to where the pose has them.

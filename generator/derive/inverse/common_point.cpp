@@ -95,16 +95,6 @@ std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::s
     return post.empty() ? place_by_one(attempt, pre[0], centre, named(target.image(centre)))
                         : place_by_one(attempt, reversed(post[0]), centre, named(target.source(centre)));
   }
-  if (pre.size() + post.size() == 2) {
-    attempt.plan.candidates = true;
-    const bool at_base = post.empty();
-    const std::vector<Screw> two =
-        at_base ? pre : std::vector<Screw>{reversed(post.at(1)), reversed(post.at(0))};
-    const Vector goal = named(at_base ? target.image(centre) : target.source(centre));
-    const std::string reason = place_by_two(attempt, two.at(0), two.at(1), centre, goal);
-    if (reason.empty()) attempt.builder.polish(two, {centre}, {goal});
-    return reason;
-  }
   if (post.empty())
     return solve_position(attempt.builder, pre[0], pre[1], pre[2], centre, named(target.image(centre)));
   if (pre.empty())

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/exchange.h"
@@ -59,17 +58,13 @@ Derivation derive_pose_in_order(const Problem& problem) {
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {1U, 2U, 0U, 3U})
-      methods.push_back([k](Attempt& a) { return by_moving_plane(a, k); });
-    methods.emplace_back(by_three_turns);
-  } else if (count == 5) {
-    for (const std::size_t k : {2U, 0U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
-    methods.emplace_back([](Attempt& a) { return by_moving_plane(a, 0); });
-    methods.emplace_back(by_three_turns);
+      methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
+    methods.emplace_back(by_three_slides);
   } else if (count == 4) {
     for (const std::size_t k : {1U, 0U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_single_turn(a, k); });
-    methods.emplace_back(by_two_turns);
+    methods.emplace_back(by_two_slides);
   } else if (count == 3) {
     methods.emplace_back(in_plane);
   }
@@ -89,10 +84,8 @@ void tell_order(Derivation& derivation) {
 }  // namespace
 
 Derivation derive_pose(const Problem& problem) {
-  if (problem.robot.joints.size() > 4) {
-    std::vector<std::size_t> joints(problem.robot.joints.size());
-    std::iota(joints.begin(), joints.end(), 0);
-    const std::string reason = dependent_joints(Attempt(problem), joints, false);
+  if (problem.robot.joints.size() == 6) {
+    const std::string reason = dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false);
     if (!reason.empty()) return {false, problem, {}, {reason}};
   }
   const Derivation in_order = derive_pose_in_order(problem);

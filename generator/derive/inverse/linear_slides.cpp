@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arms whose turns are found from the tool's orientation alone: three turns and three slides or two, or two
-// turns and two slides. The slides then are linear equations.
+// Arms whose turns are found from the tool's orientation alone: three turns and three slides, or two turns
+// and two slides. The slides then are linear equations.
 #include <algorithm>
 #include <array>
 
@@ -208,24 +208,22 @@ void turn_two(Attempt& attempt, Target& target, const Screw& first, const Screw&
 
 }  // namespace
 
-std::string by_three_turns(Attempt& attempt) {
+std::string by_three_slides(Attempt& attempt) {
   const std::vector<std::size_t> turns = turns_of(attempt);
   if (turns.size() != 3)
-    return "not three of the joints turn: the orientation does not depend on three joints alone";
+    return "not three joints slide: the orientation does not depend on three joints alone";
   const auto turning = wrist_axes(attempt, {turns[0], turns[1], turns[2]});
-  if (!turning) return "three joints turn, but about axes that are parallel or no numbers";
+  if (!turning) return "three joints slide, but the others turn about axes that are parallel or no numbers";
   Target target(attempt.builder, attempt.chain.home);
   const auto& [first, middle, last] = turning->axes;
   solve_wrist_of_seed(attempt.builder, first, middle, last, turning->seen(target.orientation()));
   Slides(attempt, target).solve();
   polish_pose(attempt, target);
-  attempt.plan.candidates = attempt.chain.screws.size() < 6;
-  attempt.plan.structure = std::string("three joints turn the tool, and what ") +
-                           (attempt.plan.candidates ? "two" : "three") + " slides then have to do is linear";
+  attempt.plan.structure = "three joints turn the tool, and what three slides then have to do is linear";
   return "";
 }
 
-std::string by_two_turns(Attempt& attempt) {
+std::string by_two_slides(Attempt& attempt) {
   const std::vector<std::size_t> turns = turns_of(attempt);
   if (turns.size() != 2 || attempt.chain.screws.size() != 4) return "not two of four joints slide";
   const auto& screws = attempt.chain.screws;
@@ -238,7 +236,6 @@ std::string by_two_turns(Attempt& attempt) {
   attempt.plan.candidates = true;
   turn_two(attempt, target, first, second);
   Slides(attempt, target).solve();
-  polish_pose(attempt, target);
   attempt.plan.structure = "two joints turn the tool, and what two slides then have to do is linear";
   return "";
 }

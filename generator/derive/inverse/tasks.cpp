@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "derive/inverse/attempt.h"
-#include "derive/inverse/freedom.h"
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/requests.h"
 #include "model/arithmetic.h"
@@ -129,16 +128,6 @@ Derivation inclined(const Robot& robot, std::optional<std::size_t> joint) {
   });
 }
 
-/// True if five joints turn the tool about its point in every way, so that the direction of no axis leaves
-/// the others finitely many values.
-bool leaves_no_direction(const Robot& robot) {
-  const std::vector<Vector3> axes = tool_axes({});
-  return std::all_of(axes.begin(), axes.end(), [&](const Vector3& axis) {
-    const Problem problem = with_turn(problem_of(robot, Task::position_and_direction), axis);
-    return !dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false).empty();
-  });
-}
-
 /// Ways to derive what an arm may be asked for, the most it can follow first.
 using Way = std::function<Derivation()>;
 struct Offer {
@@ -162,8 +151,6 @@ std::vector<Offer> offers(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   if (count == 6) whole(Task::pose, derive_pose);
   if (count == 5) directed(Task::position_and_direction, derive_pose);
-  if (count == 5 && (robot.inverse.task == Task::pose || leaves_no_direction(robot)))
-    checked(Task::pose, Filter::pose, 5, derive_pose);
   if (count == 5 && kinds.level) offer(Task::position_and_yaw, [&robot] { return kept_level(robot); });
   if (count == 5 && robot.inverse.task == Task::position_and_inclination)
     offer(Task::position_and_inclination, [&robot] { return inclined(robot, std::nullopt); });
@@ -239,8 +226,6 @@ Derivation derive_with_given(const Robot& robot,
 /// Returns what an arm of five joints may be asked for that nothing else is derived for.
 std::vector<std::string> other_task(const Robot& robot) {
   if (robot.joints.size() != 5) return {};
-  if (robot.inverse.task != Task::pose && candidates(robot, Task::pose, Filter::pose, 5, derive_pose).found)
-    return {"it may be asked for task = \"pose\""};
   const Derivation derivation = derive_with_given(robot, pitched);
   if (!derivation.found) return {};
   return {"it may be asked for task = \"position_and_pitch\", with joint " +
