@@ -236,6 +236,7 @@ std::string by_two_slides(Attempt& attempt) {
   attempt.plan.candidates = true;
   turn_two(attempt, target, first, second);
   Slides(attempt, target).solve();
+  polish_pose(attempt, target);
   attempt.plan.structure = "two joints turn the tool, and what two slides then have to do is linear";
   return "";
 }
