@@ -25,7 +25,7 @@ using loops::Folder;
 using loops::Language;
 using testing::HasSubstr;
 
-constexpr unsigned wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 10;
+constexpr unsigned models_wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 10;
 
 std::string first_error(const description::ReadResult& result) {
   for (const auto& diagnostic : result.diagnostics)
@@ -246,7 +246,7 @@ void try_mechanism(const std::string& text, Language language, unsigned seed) {
   EXPECT_GT(moved, 10);
 }
 
-void try_family(Family family, const std::string& driven, unsigned count = wanted,
+void try_family(Family family, const std::string& driven, unsigned count = models_wanted,
                 Language language = Language::c) {
   for (unsigned seed = 1; seed <= count; ++seed) {
     Draw draw(seed);
@@ -259,7 +259,7 @@ TEST(Polynomials, LeadIntoLoops) { try_family(cam, "actuated = [\"motor\"]\n"); 
 TEST(Polynomials, LeadOutOfLoops) { try_family(flap, "actuated = [\"motor\"]\n"); }
 TEST(Polynomials, LeadFromSlideToSlide) { try_family(two_slides, "actuated = [\"motor\"]\n"); }
 TEST(Polynomials, LeadSoInCxxToo) {
-  if (wanted < 10) GTEST_SKIP() << "in long runs alone, since C++ takes a minute to compile";
+  if (models_wanted < 10) GTEST_SKIP() << "in long runs alone, since C++ takes a minute to compile";
   try_family(cam, "actuated = [\"motor\"]\n", 1, Language::cxx);
   try_family(flap, "actuated = [\"motor\"]\n", 1, Language::cxx);
 }
