@@ -56,11 +56,11 @@ class Arm {
   std::string text_;
 };
 
-/// True if joints that forks have left are polished, as near a singular pose they must be.
+/// True if Newton's steps end a plan, as they must where slides follow from turns: near a singular pose these
+/// lose digits.
 bool takes_newtons_steps(const Plan& plan) {
-  const auto has = [&](const auto& is) { return std::any_of(plan.steps.begin(), plan.steps.end(), is); };
-  return !has([](const Step& step) { return step.branches > 1; }) ||
-         has([](const Step& step) { return step.is<kind::Newton>(); });
+  return std::any_of(plan.steps.begin(), plan.steps.end(),
+                     [](const Step& step) { return step.is<kind::Newton>(); });
 }
 
 class FourJoints : public testing::TestWithParam<int> {};
@@ -78,7 +78,9 @@ TEST_P(FourJoints, ThatMoveTheToolInFourWaysAreSolved) {
     EXPECT_TRUE(derivation.found) << arm.text()
                                   << (derivation.reasons.empty() ? "" : derivation.reasons.front());
     if (!derivation.found) continue;
-    EXPECT_TRUE(takes_newtons_steps(derivation.plan)) << arm.text();
+    if (derivation.plan.structure.starts_with("two joints turn the tool")) {
+      EXPECT_TRUE(takes_newtons_steps(derivation.plan)) << arm.text();
+    }
     EXPECT_NO_THROW(verify::certify_inverse(derivation.problem, lower(derivation.plan), 1)) << arm.text();
   }
   EXPECT_GT(arms, 30);
