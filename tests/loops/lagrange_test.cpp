@@ -14,7 +14,7 @@
 namespace qvgen::test::loops {
 namespace {
 
-constexpr unsigned linkages_wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 10;
+constexpr unsigned linkages_wanted = QVGEN_LOOP_RODS < 100 ? 1 : QVGEN_LOOP_RODS / 10;
 
 /// Cranks, then pairs of links on any two links, pinned together: numbers of a crank's motor, masses and
 /// drives are random.
@@ -92,8 +92,9 @@ int compare_forces(const std::filesystem::path& file, const std::string& name, u
 }
 
 TEST(Lagrange, ForcesOfMotorsAreThoseOfLinkages) {
-  std::vector<std::string> robots{"four_bar", "slider_crank", "five_bar", "geared_five_bar"};
-  if (linkages_wanted > 2) robots.insert(robots.end(), {"delta", "excavator", "palletiser", "planar_3rpr"});
+  std::vector<std::string> robots{"slider_crank", "geared_five_bar"};
+  if (linkages_wanted > 1)
+    robots.insert(robots.end(), {"four_bar", "five_bar", "delta", "excavator", "palletiser", "planar_3rpr"});
   for (const std::string& robot : robots) {
     SCOPED_TRACE(robot);
     const Folder folder;
@@ -105,7 +106,7 @@ TEST(Lagrange, ForcesOfMotorsAreThoseOfLinkages) {
 
 TEST(Lagrange, ForcesOfMotorsAreThoseOfRandomPins) {
   unsigned compared = 0;
-  for (unsigned seed = 1; compared < linkages_wanted && seed < 20 * linkages_wanted; ++seed) {
+  for (unsigned seed = 1; compared < linkages_wanted && seed < 40 * linkages_wanted; ++seed) {
     const std::string text = RandomPins(seed).text();
     SCOPED_TRACE(text);
     const Folder folder;

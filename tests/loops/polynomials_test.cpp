@@ -25,7 +25,7 @@ using loops::Folder;
 using loops::Language;
 using testing::HasSubstr;
 
-constexpr unsigned models_wanted = QVGEN_LOOP_RODS < 100 ? 2 : QVGEN_LOOP_RODS / 10;
+constexpr unsigned models_wanted = QVGEN_LOOP_RODS < 100 ? 1 : QVGEN_LOOP_RODS / 10;
 
 std::string first_error(const description::ReadResult& result) {
   for (const auto& diagnostic : result.diagnostics)
