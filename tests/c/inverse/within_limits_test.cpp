@@ -57,7 +57,7 @@ TEST_P(LimitsInC, JointsWithinLimitsHaveARow) {
   std::printf("%-24s within limits %d poses, %d singular, %d without a row\n", GetParam().name.c_str(),
               poses_, singular_, without_row_);
   if (GetParam().info.task == Task::pose) {
-    EXPECT_LE(without_row_, 1);
+    EXPECT_EQ(without_row_, 0);
   }
 }
 
@@ -70,9 +70,10 @@ TEST_P(LimitsInC, WithTheWristOverTheFirstAxisJointsWithinLimitsHaveARow) {
     if (i % 3 != 0) q[1] += (i % 2 == 0 ? 1 : -1) * std::pow(10, -test_.uniform(3, 14));
     expect_rows("wrist over the first axis", sample_at(test_, q));
   }
+  if (poses_ == 0) GTEST_SKIP() << "its wrist does not come over the first axis";
   std::printf("%-24s over the first axis %d poses, %d singular, %d without a row\n", GetParam().name.c_str(),
               poses_, singular_, without_row_);
-  EXPECT_LE(without_row_, 1);
+  EXPECT_EQ(without_row_, 0);
 }
 
 /// Law: a joint that is on its limit is not lost by rounding.
@@ -91,7 +92,8 @@ TEST_P(LimitsInC, AJointOnItsLimitIsInside) {
     }
   }
   std::printf("%-24s on a limit %d poses, %d lost\n", GetParam().name.c_str(), poses, lost);
-  EXPECT_LE(lost, 1);
+  EXPECT_GT(poses, 0);
+  EXPECT_EQ(lost, 0);
 }
 
 std::vector<InverseUnderTest> within_limits_in_c() {
